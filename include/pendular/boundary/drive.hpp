@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/boundary/plane.hpp>
+
+namespace pendular::boundary {
+
+/// A wall that stays where it is.
+struct fixed {
+  static constexpr vector velocity{0, 0, 0};
+  template <class Geometry>
+  void move(Geometry&, const vector& /*force*/, double /*time_step*/) {}
+};
+
+/// A wall at constant velocity.
+struct constant_velocity {
+  vector velocity;  // m/s
+
+  template <class Geometry>
+  void move(Geometry& wall, const vector& /*force*/, double time_step) {
+    wall.point += time_step * velocity;
+  }
+};
+
+/// A plane lid pressed into the grains by a constant stress: a free mass along the normal, with a dashpot so that it
+/// does not bounce. The stress is that of the load alone; the lid has no weight.
+struct servo_stress {
+  double stress;   // Pa
+  double area;     // m2
+  double mass;     // of the lid, kg
+  double damping;  // N s/m
+  vector velocity{0, 0, 0};  // m/s
+
+  void move(plane& wall, const vector& force, double time_step) {
+    const double inward = dot(velocity, wall.normal);
+    const double push = dot(force, wall.normal) + stress * area;  // force is what the grains do to the wall
+    const double next = (inward + time_step / mass * push) / (1.0 + time_step * damping / mass);
+    velocity = next * wall.normal;
+    wall.point += time_step * velocity;
+  }
+};
+
+inline void validate(const servo_stress& s) {
+  constexpr auto page = "docs/reference/boundary.md";
+  expects(s.stress >= 0 && std::isfinite(s.stress), "the stress of a lid (Pa)", s.stress, "at least 0 and finite", page);
+  expects(s.area > 0 && std::isfinite(s.area), "the area of a lid (m2)", s.area, "positive and finite", page);
+  expects(s.mass > 0 && std::isfinite(s.mass), "the mass of a lid (kg)", s.mass, "positive and finite", page);
+  expects(s.damping >= 0 && std::isfinite(s.damping), "the damping of a lid (N s/m)", s.damping,
+          "at least 0 and finite", page);
+}
+
+}  // namespace pendular::boundary

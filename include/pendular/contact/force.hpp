@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/contact/material.hpp>
+#include <pendular/law/stiffness.hpp>
+
+namespace pendular {
+
+/// How a grain meets its partner, seen from grain i; the rotational part is filled only where there is friction.
+template <class T>
+struct encounter {
+  approach<T> approaching;
+  Vec3<T> normal;            // from i to the partner
+  Vec3<T> velocity;          // of centre i relative to the partner, m/s
+  Vec3<T> rolling;           // (l_i w_i + l_j w_j) x normal, m/s; l are the lever arms
+  T twist;                   // turn of the pair about its normal in this step, rad
+  T tangential_mass;         // kg
+  T contacts;                // as in slip
+};
+
+/// Without attraction: force on grain i is -push n + traction.
+template <class T>
+struct contact_force {
+  T push;            // N
+  Vec3<T> traction;  // N
+  T damping_power;   // W, taken out of the motion
+  T friction_power;  // W
+};
+
+/// A tangential memory vector follows its contact: turned about the normal, laid into the tangent plane, same length.
+template <class T>
+void follow(Vec3<T>& memory, const Vec3<T>& normal, const T& twist) {
+  const T before = dot(memory, memory);
+  const Vec3<T> turned = memory + twist * cross(normal, memory);
+  const Vec3<T> laid = tangential_part(turned, normal);
+  const T after = dot(laid, laid);
+  const T factor = sqrt(T(before / max(after, T(tiny * tiny))));
+  memory = factor * laid;
+}
+
+namespace detail {
+template <class T, class Memory>
+void follow_all(Memory& memory, const Vec3<T>& normal, const T& twist) {
+  for_each_field(memory, [&](auto& member) {
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(member)>, Vec3<T>>) follow(member, normal, twist);
+  });
+}
+
+template <class T, class Friction, class Memory>
+Vec3<T> traction(const Friction& law, const slip<T>& s, const T& normal_force, Memory& memory) {
+  if constexpr (Remembers<Friction, T>) {
+    return law.traction(s, normal_force, memory);
+  } else {
+    return law.traction(s, normal_force);
+  }
+}
+}  // namespace detail
+
+/// Elastic push, damping and friction of one material. The Coulomb limit takes elastic + damping, floored at 0, and
+/// never the total force, which would delete cohesion (Richefeu et al. 2007, Eq. 12).
+template <class T, class Material, class Memory>
+contact_force<T> touch(const Material& material, const encounter<T>& e, Memory& memory, double time_step) {
+  const T elastic = material.normal().repulsion(e.approaching);
+  contact_force<T> result{elastic, {T(0), T(0), T(0)}, T(0), T(0)};
+  if constexpr (Material::has_damping) {
+    const T rigidity = stiffness(material.normal(), e.approaching);
+    const T damping = material.damping().resistance(e.approaching, rigidity);
+    result.push = elastic + damping;
+    result.damping_power = damping * e.approaching.closing_speed;
+  }
+  if constexpr (Material::has_friction) {
+    const Vec3<T> surface_velocity = tangential_part(e.velocity, e.normal) + e.rolling;
+    const slip<T> s{surface_velocity, e.normal, e.tangential_mass, e.contacts, time_step};
+    const T normal_force = max(result.push, T(0));
+    if constexpr (Material::has_memory) detail::follow_all(memory, e.normal, e.twist);
+    result.traction = detail::traction(material.friction(), s, normal_force, memory);
+    result.friction_power = -dot(result.traction, surface_velocity);
+  }
+  return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/contact/energy_book.hpp>
+#include <pendular/contact/force.hpp>
+#include <pendular/core/parallel.hpp>
+#include <pendular/core/scalar_table.hpp>
+#include <pendular/liquid/bonds.hpp>
+#include <pendular/space/grains.hpp>
+#include <pendular/space/pair_list.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace pendular {
+
+/// What the evaluation of all pairs found besides forces.
+struct pair_findings {
+  bool liquid_event = false;  // a bridge breaks or may form
+  bool trouble = false;       // an overlap beyond the limit or a value that is not finite
+};
+
+/// First phase of a step: composed laws over all listed pairs, a block at a time, results stored per pair.
+template <class Material, class Bonds>
+class pair_contacts {
+ public:
+  static constexpr bool wet = !std::is_same_v<Bonds, no_bonds>;
+  template <class T>
+  using memory = typename Material::template memory<T>;
+
+  void carry(std::span<const std::int32_t> origin, std::size_t rows) {
+    memory_.carry(origin, rows);
+    for (auto* column : {&force_x_, &force_y_, &force_z_}) column->assign(rows, 0.0);
+    gap_.assign(rows, std::numeric_limits<double>::infinity());
+    if constexpr (Material::has_friction) {
+      for (auto* column : {&torque_x_, &torque_y_, &torque_z_}) column->assign(rows, 0.0);
+    }
+    work_.resize(chunk_count(rows, chunk));
+    findings_.assign(chunk_count(rows, chunk), {});
+  }
+
+  /// overlap_limit is a fraction of the smaller radius.
+  template <class Grains>
+  pair_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
+                         double time_step, double overlap_limit) {
+    for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+      pair_findings found;
+      for (std::size_t p = begin; p < end; p += lane_count) {
+        evaluate_block(g, list, material, bonds, time_step, overlap_limit, p, c, found);
+      }
+      findings_[c] = found;
+    });
+    pair_findings all;
+    for (const pair_findings& f : findings_) {
+      all.liquid_event |= f.liquid_event;
+      all.trouble |= f.trouble;
+    }
+    return all;
+  }
+
+  std::span<const double> gap() const { return gap_; }
+
+  /// Force on the first grain of a pair, N.
+  vector force(std::size_t p) const { return {force_x_[p], force_y_[p], force_z_[p]}; }
+
+  /// Torque of a pair per lever arm, N; the same for both grains.
+  vector torque(std::size_t p) const { return {torque_x_[p], torque_y_[p], torque_z_[p]}; }
+
+  scalar_table<memory>& memories() { return memory_; }
+  const scalar_table<memory>& memories() const { return memory_; }
+  contact_work_sums& work() { return work_; }
+  const contact_work_sums& work() const { return work_; }
+
+ private:
+  static constexpr std::size_t chunk = 64 * lane_count;
+
+  template <class Grains>
+  static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, double time_step) {
+    const auto* position = g.template get<column::position>().data();
+    const auto* velocity = g.template get<column::velocity>().data();
+    const auto* radius = g.template get<column::radius>().data();
+    const auto* inverse_mass = g.template get<column::inverse_mass>().data();
+    const Vec3<block> branch = gather(position, j) - gather(position, i);
+    const block distance = norm(branch);
+    const block radius_i = gather(radius, i), radius_j = gather(radius, j);
+    const block inverse_i = gather(inverse_mass, i), inverse_j = gather(inverse_mass, j);
+    const block reduced_mass = 1.0 / (inverse_i + inverse_j);
+    encounter<block> e;
+    e.normal = block(1.0 / distance) * branch;
+    e.velocity = gather(velocity, i) - gather(velocity, j);
+    const block gap = distance - radius_i - radius_j;
+    e.approaching = {gap, dot(e.velocity, e.normal), reduced_mass, radius_i, radius_j};
+    if constexpr (Material::has_friction) {
+      const auto* spin = g.template get<column::angular_velocity>().data();
+      const Vec3<block> spin_i = gather(spin, i), spin_j = gather(spin, j);
+      const block lever_i = radius_i + 0.5 * gap, lever_j = radius_j + 0.5 * gap;
+      e.rolling = cross(lever_i * spin_i + lever_j * spin_j, e.normal);
+      e.twist = (0.5 * time_step) * dot(spin_i + spin_j, e.normal);
+      e.tangential_mass = (2.0 / 7.0) * reduced_mass;
+      e.contacts = block(1);
+      if constexpr (Material::counts_contacts) {
+        const auto* contacts = g.template get<column::contacts>().data();
+        const block weighted = gather(contacts, i) * inverse_i + gather(contacts, j) * inverse_j;
+        e.contacts = max(block(weighted * reduced_mass), block(1));
+      }
+    }
+    return e;
+  }
+
+  template <class Grains>
+  void evaluate_block(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
+                      double time_step, double overlap_limit, std::size_t p, std::size_t c, pair_findings& found) {
+    const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, time_step);
+    const block& gap = e.approaching.gap;
+    memory<block> remembered = memory_.load_block(p);
+    const contact_force<block> f = touch(material, e, remembered, time_step);
+    memory_.store_block(p, remembered);
+    block pull = block::Zero();
+    if constexpr (wet) {
+      if (bonds.any_bonded(p)) pull = bonds.attraction(p, gap);
+      found.liquid_event |= bonds.has_event(p, gap);
+    }
+    const block push = f.push - pull;
+    store_results(p, gap, f.traction - push * e.normal, e.normal, f.traction);
+    const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
+    found.trouble |= !((gap + overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + push).sum());
+    if constexpr (Material::keeps_energy_book) add_work(list, p, c, f, time_step);
+  }
+
+  void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,
+                     const Vec3<block>& traction) {
+    store(gap_.data() + p, gap);
+    store(force_x_.data() + p, force.x);
+    store(force_y_.data() + p, force.y);
+    store(force_z_.data() + p, force.z);
+    if constexpr (Material::has_friction) {
+      const Vec3<block> torque = cross(normal, traction);
+      store(torque_x_.data() + p, torque.x);
+      store(torque_y_.data() + p, torque.y);
+      store(torque_z_.data() + p, torque.z);
+    }
+  }
+
+  void add_work(const pair_list& list, std::size_t p, std::size_t c, const contact_force<block>& f, double time_step) {
+    const double left = static_cast<double>(list.size()) - static_cast<double>(p);
+    const block real = (left - block::LinSpaced(0, lane_count - 1)).max(0.0).min(1.0);
+    work_[c].damping += time_step * f.damping_power * real;
+    work_[c].friction += time_step * f.friction_power * real;
+  }
+
+  scalar_table<memory> memory_;
+  std::vector<double> gap_, force_x_, force_y_, force_z_;
+  std::vector<double> torque_x_, torque_y_, torque_z_;  // empty without friction
+  contact_work_sums work_;
+  std::vector<pair_findings> findings_;
+};
+
+}  // namespace pendular

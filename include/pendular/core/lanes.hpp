@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/vec.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pendular {
+
+/// Pairs are evaluated this many at a time. Fixed, so that results do not depend on the machine's register width.
+inline constexpr int lane_count = 8;
+using block = lanes<lane_count>;
+
+/// A number of rows rounded up to whole blocks.
+constexpr std::size_t padded(std::size_t rows) {
+  constexpr auto width = static_cast<std::size_t>(lane_count);
+  return (rows + width - 1) / width * width;
+}
+
+inline block load(const double* from) { return Eigen::Map<const block>(from); }
+inline void store(double* to, const block& values) { Eigen::Map<block>{to} = values; }
+
+inline block gather(const double* column, const std::int32_t* rows) {
+  block result;
+  for (int k = 0; k < lane_count; ++k) result(k) = column[rows[k]];
+  return result;
+}
+
+inline Vec3<block> gather(const vector* column, const std::int32_t* rows) {
+  Vec3<block> result;
+  for (int k = 0; k < lane_count; ++k) {
+    const vector& row = column[rows[k]];
+    result.x(k) = row.x;
+    result.y(k) = row.y;
+    result.z(k) = row.z;
+  }
+  return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/law/inputs.hpp>
+
+namespace pendular::rupture {
+
+/// delta_max = R_h (1 + theta/4 (rho + 1)) (v^{1/3} + (rho/2 - 2/5) v^{2/3}),
+/// rho = R_small / R_large, R_h = 2 R_i R_j / (R_i + R_j), v = V_b / R_h^3; equal spheres: R (1 + theta/2)(v^{1/3} + v^{2/3}/10).
+/// Units: m from m, m3 and rad. Within -11 to +7 % of the Laplace-Young limit for size ratios up to 10, theta up to 60
+/// degrees, V_b/R^3 in [1e-6, 0.1].
+/// Source: Willett, Adams, Johnson and Seville 2000, Langmuir 16, 9396, Eqs. 19-21, normalised by the harmonic radius.
+struct willett {
+  template <Scalar T>
+  T distance(const bridge<T>& b, const fluid& f) const {
+    const T size_ratio = min(b.radius_i, b.radius_j) / max(b.radius_i, b.radius_j);
+    const T radius = T(2) * b.radius_i * b.radius_j / (b.radius_i + b.radius_j);
+    const T length = cbrt(b.volume) / radius;
+    const T wetting = T(1) + T(0.25 * f.contact_angle) * (size_ratio + T(1));
+    return radius * wetting * (length + (T(0.5) * size_ratio - T(0.4)) * length * length);
+  }
+};
+
+}  // namespace pendular::rupture

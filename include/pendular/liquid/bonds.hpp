@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/scalar_table.hpp>
+#include <pendular/liquid/ledger.hpp>
+#include <pendular/liquid/liquid.hpp>
+#include <pendular/liquid/pair_view.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pendular {
+
+/// The bridges of a scene: the ledger, and per pair what a step needs of it (the coefficients of the capillary law, the
+/// gap at which the bridge breaks, the gap below which one would form). Row p belongs to pair p of the Verlet list.
+template <class Liquid>
+class bonds {
+ public:
+  template <class T>
+  using coefficients = coefficients_t<typename Liquid::capillary_law, T>;
+
+  static constexpr double never = -1e300;  // a gap no pair reaches; finite, because lanes multiply by zero
+
+  explicit bonds(const Liquid& liquid) : liquid_(liquid) {}
+
+  const Liquid& policies() const { return liquid_; }
+  ledger& book() { return ledger_; }
+  const ledger& book() const { return ledger_; }
+  bool is_bonded(std::size_t p) const { return ledger_.bonds()[p] > 0; }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::count_if(ledger_.bonds().begin(), ledger_.bonds().end(), [](double v) { return v > 0; }));
+  }
+
+  double breaks_above(std::size_t p) const { return breaks_above_[p]; }
+  double forms_below(std::size_t p) const { return forms_below_[p]; }
+
+  /// Energy set free by forming, breaking and refilling bridges since the start, J; 0 for a law without energy.
+  double work() const { return work_; }
+  void restart_work(double work) { work_ = work; }
+
+  /// Pull of a block of pairs, N, zero for pairs without a bridge and beyond rupture.
+  block attraction(std::size_t first_pair, const block& gap) const {
+    const block alive = unit_step(block(load(breaks_above_.data() + first_pair) - gap));
+    const auto c = coefficients_.load_block(first_pair);
+    const block pull = pendular::attraction(liquid_.law(), gap, c, liquid_.substance());
+    return pull * alive;
+  }
+
+  bool any_bonded(std::size_t first_pair) const {
+    return (load(breaks_above_.data() + first_pair) > 0).any();
+  }
+
+  /// Whether a pair of the block breaks or may form.
+  bool has_event(std::size_t first_pair, const block& gap) const {
+    const block ceiling = load(breaks_above_.data() + first_pair);
+    const block breaking = (gap - ceiling) * unit_step(ceiling);
+    const block forming = load(forms_below_.data() + first_pair) - gap;
+    return breaking.max(forming).maxCoeff() > 0;
+  }
+
+  bool breaks(std::size_t p, double gap) const { return is_bonded(p) && gap > breaks_above_[p]; }
+  bool forms(std::size_t p, double gap) const { return !is_bonded(p) && gap < forms_below_[p]; }
+
+  /// Largest rupture distance of a present bridge or of one that present films could form, m: what the list must see.
+  double reach(const pair_view& view) const {
+    double farthest = 0;
+    for (std::size_t p = 0; p < ledger_.bonds().size(); ++p) farthest = std::max(farthest, breaks_above_[p]);
+    if (!Liquid::redistributes_locally || view.radius.empty()) return farthest;
+    const auto films = ledger_.films();
+    const double film = films.empty() ? 0 : *std::max_element(films.begin(), films.end());
+    const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
+    double formed = 0;
+    for (const double r : {*small, *large}) {
+      formed = std::max(formed, liquid_.rupture_distance({0, 2 * film, r, r}));
+    }
+    return std::max(farthest, liquid_.formation().reach(formed));
+  }
+
+  /// Follows the pairs into a new list. A bridge whose pair is no longer listed gives its liquid to its grains' films;
+  /// the list's range makes that impossible for bridges that are not broken.
+  void carry(std::span<const std::int32_t> origin, const pair_view& view) {
+    const std::size_t rows = view.first.size();
+    if (!ledger_.carry_bonds(origin, rows).empty()) {
+      throw run_error("a liquid bridge lost its pair when the neighbour list was rebuilt (see docs/reference/liquid.md)");
+    }
+    coefficients_.carry(origin, rows);
+    breaks_above_.assign(rows, never);
+    forms_below_.assign(rows, never);
+    for (std::size_t p = 0; p < rows; ++p) refresh(p, view);
+  }
+
+  /// Moves liquid to or from bond p and keeps coefficients, thresholds and energy book in step.
+  void move(ledger::account from, ledger::account to, double volume, std::size_t p, double gap, const pair_view& view) {
+    const double before = energy(p, gap, view);
+    ledger_.transfer(from, to, volume);
+    refresh(p, view);
+    work_ += energy(p, gap, view) - before;
+  }
+
+  /// All of bond p, to another account.
+  void drain(std::size_t p, ledger::account to, double gap, const pair_view& view) {
+    move(ledger::bond_of(p), to, ledger_.bonds()[p], p, gap, view);
+  }
+
+  /// Coefficients and thresholds of pair p from its volume and from the films of its grains.
+  void refresh(std::size_t p, const pair_view& view) {
+    const bool real = p < view.pairs;
+    const double volume = real ? ledger_.bonds()[p] : 0.0;
+    breaks_above_[p] = forms_below_[p] = never;
+    if (volume > 0) {
+      const bridge<double> b = view.bridge_of(p, 0, volume);
+      breaks_above_[p] = liquid_.rupture_distance(b);
+      coefficients_.set_row(p, prepare(liquid_.law(), b, liquid_.substance()));
+      return;
+    }
+    const double size = bond_size(p, view);
+    // An idle lane is evaluated too and multiplied by zero, so it needs coefficients that give a finite pull.
+    coefficients_.set_row(p, prepare(liquid_.law(), view.bridge_of(p, 0, 1e-3 * size), liquid_.substance()));
+    if (Liquid::redistributes_locally && real) forms_below_[p] = formation_gap(p, size, view);
+  }
+
+  /// Energy that opening bond p from the gap to rupture would cost, J.
+  double energy(std::size_t p, double gap, const pair_view& view) const {
+    if constexpr (HasCapillaryEnergy<typename Liquid::capillary_law>) {
+      if (!is_bonded(p) || gap >= breaks_above_[p]) return 0;
+      return liquid_.law().energy(view.bridge_of(p, gap, ledger_.bonds()[p]), liquid_.substance(), breaks_above_[p]);
+    } else {
+      return 0;
+    }
+  }
+
+  /// R^3 of Eq. 14, m3.
+  static double bond_size(std::size_t p, const pair_view& view) {
+    return std::pow(view.radius[view.grain_i(p)] * view.radius[view.grain_j(p)], 1.5);
+  }
+
+ private:
+  double formation_gap(std::size_t p, double size, const pair_view& view) const {
+    const double available = ledger_.films()[view.grain_i(p)] + ledger_.films()[view.grain_j(p)];
+    if (available < liquid_.formation().minimum_volume * size) return never;
+    return liquid_.formation().reach(liquid_.rupture_distance(view.bridge_of(p, 0, available)));
+  }
+
+  Liquid liquid_;
+  ledger ledger_;
+  scalar_table<coefficients> coefficients_;
+  std::vector<double> breaks_above_, forms_below_;
+  double work_ = 0;
+};
+
+/// In place of bonds in a dry scene.
+struct no_bonds {};
+
+}  // namespace pendular

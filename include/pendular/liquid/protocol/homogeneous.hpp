@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/liquid/protocol/concepts.hpp>
+
+#include <cstdint>
+
+namespace pendular::protocol {
+
+/// Protocol 1: all liquid is distributed anew over all eligible pairs, V_b = alpha R^3, once per period.
+/// Source: Richefeu et al. 2007, section 2.4, Eqs. 13-14. The paper ties the update to its contact list; here it has a
+/// period of its own, so that neither skin nor threads change the physics.
+struct homogeneous {
+  std::int64_t period = 1000;  // steps
+};
+
+}  // namespace pendular::protocol

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/liquid/bonds.hpp>
+#include <pendular/liquid/eligibility.hpp>
+#include <pendular/liquid/selection.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pendular {
+
+/// What happened to the bridges so far.
+struct bond_events {
+  std::int64_t ruptures = 0;
+  std::int64_t formations = 0;
+};
+
+namespace detail {
+
+/// V_i = V D_i / (D_i + D_j) to the film of i, the rest to that of j (Richefeu et al. 2007, section 3.2).
+template <class Liquid>
+void break_bond(bonds<Liquid>& b, std::size_t p, double gap, const pair_view& view) {
+  const std::size_t i = view.grain_i(p), j = view.grain_j(p);
+  const double share = b.book().bonds()[p] * (view.radius[i] / (view.radius[i] + view.radius[j]));
+  b.move(ledger::bond_of(p), ledger::film_of(i), share, p, gap, view);
+  b.drain(p, ledger::film_of(j), gap, view);
+}
+
+/// A volume on its way from the film of a grain to a bond.
+struct pull {
+  std::size_t pair;
+  std::size_t grain;
+  double volume;  // m3
+};
+
+/// The three moves of a local protocol for one grain that has a film.
+template <class Liquid, class PairsOf>
+void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view, std::span<const double> gap,
+                const PairsOf& pairs_of, std::vector<pull>& pulls) {
+  const auto protocol = b.policies().redistribution();
+  const auto receives = [&](std::size_t p) { return b.is_bonded(p) || b.forms(p, gap[p]); };
+  const auto side = [&](std::size_t p) { return view.side(p, grain, !b.is_bonded(p)); };
+  std::optional<decltype(protocol.offer(bond_side{}))> merged;
+  for (const auto& incidence : pairs_of(grain)) {
+    const auto p = static_cast<std::size_t>(incidence.pair);
+    if (!receives(p)) continue;
+    const auto offer = protocol.offer(side(p));
+    merged = merged ? protocol.merge(*merged, offer) : offer;
+  }
+  if (!merged) return;
+  const auto grant = protocol.settle(*merged, b.book().films()[grain]);
+  for (const auto& incidence : pairs_of(grain)) {
+    const auto p = static_cast<std::size_t>(incidence.pair);
+    if (!receives(p)) continue;
+    const double volume = protocol.pull(side(p), grant);
+    if (volume > 0) pulls.push_back({p, grain, volume});
+  }
+}
+
+/// Whether all that is pulled into a pair makes a bridge there: enough liquid, and not beyond its own rupture distance.
+template <class Liquid>
+bool makes_bond(const bonds<Liquid>& b, std::size_t p, double volume, double gap, const pair_view& view) {
+  if (b.is_bonded(p)) return true;
+  const auto formation = b.policies().formation();
+  if (volume < formation.minimum_volume * b.bond_size(p, view)) return false;
+  return gap < formation.reach(b.policies().rupture_distance(view.bridge_of(p, gap, volume)));
+}
+
+/// Pulls sorted by pair, carried out pair by pair.
+template <class Liquid>
+std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_view& view, std::span<const double> gap) {
+  std::stable_sort(pulls.begin(), pulls.end(), [](const pull& a, const pull& c) { return a.pair < c.pair; });
+  std::int64_t formed = 0;
+  for (std::size_t k = 0; k < pulls.size();) {
+    std::size_t end = k;
+    double volume = 0;
+    for (; end < pulls.size() && pulls[end].pair == pulls[k].pair; ++end) volume += pulls[end].volume;
+    const std::size_t p = pulls[k].pair;
+    if (makes_bond(b, p, volume, gap[p], view)) {
+      formed += b.is_bonded(p) ? 0 : 1;
+      for (std::size_t m = k; m < end; ++m) {
+        b.move(ledger::film_of(pulls[m].grain), ledger::bond_of(p), pulls[m].volume, p, gap[p], view);
+      }
+    }
+    k = end;
+  }
+  return formed;
+}
+
+}  // namespace detail
+
+/// Ruptures and formations of one step: bridges beyond their rupture distance give their liquid to the films of their
+/// grains, then a local protocol moves films into bonds. `pairs_of(grain)` lists the pairs of a grain by partner id,
+/// so the result depends neither on the order of the pairs nor on the number of threads.
+template <class Liquid, class PairsOf>
+bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap, const PairsOf& pairs_of) {
+  bond_events events;
+  std::vector<std::size_t> touched;  // grains whose film changes
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    const bool breaking = b.breaks(p, gap[p]);
+    if (breaking) detail::break_bond(b, p, gap[p], view);
+    if (breaking || b.forms(p, gap[p])) touched.insert(touched.end(), {view.grain_i(p), view.grain_j(p)});
+    events.ruptures += breaking ? 1 : 0;
+  }
+  if constexpr (Liquid::redistributes_locally) {
+    std::vector<detail::pull> pulls;
+    for (std::size_t grain = 0; grain < view.radius.size(); ++grain) {
+      if (b.book().films()[grain] > 0) detail::offer_film(b, grain, view, gap, pairs_of, pulls);
+    }
+    for (const auto& pull : pulls) touched.push_back(pull.grain);
+    events.formations = detail::carry_out(b, pulls, view, gap);
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const std::size_t grain : touched) {
+    for (const auto& incidence : pairs_of(grain)) {
+      const auto p = static_cast<std::size_t>(incidence.pair);
+      if (!b.is_bonded(p)) b.refresh(p, view);
+    }
+  }
+  return events;
+}
+
+/// Pairs of the list that the selection keeps, with their gaps.
+inline std::vector<candidate> candidates(const pair_view& view, const bond_selection& selection) {
+  std::vector<candidate> found;
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    const std::int64_t i = view.id[view.grain_i(p)], j = view.id[view.grain_j(p)];
+    if (selection.keeps(i, j)) found.push_back({p, view.bridge_of(p, view.gap(p), 0), {i, j}});
+  }
+  return found;
+}
+
+/// How far apart two grains can be and still get a bridge in a homogeneous distribution, m: what the list must see
+/// first. alpha is largest if only touching pairs receive.
+template <class Liquid>
+double homogeneous_reach(const bonds<Liquid>& b, const std::vector<candidate>& all, double liquid_volume) {
+  double touching = 0, farthest = 0;
+  for (const candidate& c : all) touching += c.geometry.gap <= 0 ? c.size() : 0.0;
+  const double alpha = std::min(touching > 0 ? liquid_volume / touching : widest_bridge, widest_bridge);
+  for (const candidate& c : all) {
+    bridge<double> widest = c.geometry;
+    widest.volume = alpha * c.size();
+    farthest = std::max(farthest, b.policies().rupture_distance(widest));
+  }
+  return farthest;
+}
+
+/// Protocol 1 and the initial state: everything back to the reservoir, then V_b = alpha R^3 over all eligible pairs.
+/// Liquid that makes no bridge of the minimum volume stays on the grains in proportion to R^3.
+template <class Liquid>
+bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, const bond_selection& selection) {
+  const std::vector<candidate> all = candidates(view, selection);
+  std::vector<double> gaps(view.pairs);
+  for (std::size_t p = 0; p < view.pairs; ++p) gaps[p] = view.gap(p);
+  std::vector<bool> was_bonded(view.pairs);
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    was_bonded[p] = b.is_bonded(p);
+    if (was_bonded[p]) b.drain(p, ledger::reservoir(), gaps[p], view);
+  }
+  for (std::size_t g = 0; g < view.radius.size(); ++g) b.book().empty(ledger::film_of(g), ledger::reservoir());
+
+  const double volume = b.book().introduced();  // all of it is in the reservoir now; this figure has no round-off
+  const homogeneous_share share =
+      share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
+  bond_events events;
+  if (share.alpha < b.policies().formation().minimum_volume) {
+    double sizes = 0;
+    for (const double r : view.radius) sizes += r * r * r;
+    for (std::size_t g = 0; g < view.radius.size() && volume > 0; ++g) {
+      const double r = view.radius[g];
+      b.book().transfer(ledger::reservoir(), ledger::film_of(g), volume * (r * r * r / sizes));
+    }
+    return events;
+  }
+  for (const std::size_t k : share.eligible) {
+    const std::size_t p = all[k].pair;
+    b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, gaps[p], view);
+    events.formations += was_bonded[p] ? 0 : 1;
+    was_bonded[p] = false;
+  }
+  for (std::size_t p = 0; p < view.pairs; ++p) events.ruptures += was_bonded[p] ? 1 : 0;
+  return events;
+}
+
+}  // namespace pendular

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/expects.hpp>
+#include <pendular/space/grains.hpp>
+#include <pendular/space/cell_grid.hpp>
+#include <pendular/space/pair_list.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace pendular {
+
+namespace detail {
+inline std::string at_step(std::int64_t id, std::int64_t step) {
+  return "grain " + std::to_string(id) + " at step " + std::to_string(step);
+}
+inline bool inside(const box& b, const vector& p) {
+  return b.lower.x <= p.x && p.x <= b.upper.x && b.lower.y <= p.y && p.y <= b.upper.y && b.lower.z <= p.z &&
+         p.z <= b.upper.z;
+}
+}  // namespace detail
+
+/// Errors: a position or velocity that is not finite, a grain outside of the domain.
+template <class Grains>
+void check_grains(const Grains& g, const box& domain, std::int64_t step) {
+  const auto position = g.template get<column::position>();
+  const auto velocity = g.template get<column::velocity>();
+  const auto id = g.template get<column::id>();
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const double motion = dot(position[k], position[k]) + dot(velocity[k], velocity[k]);
+    if (!std::isfinite(motion)) {
+      throw run_error(detail::at_step(id[k], step) +
+                      " has a position or velocity that is not finite: the step is too long for a stiff law, or a law "
+                      "returned a value that is not finite (see docs/how-to/stability.md)");
+    }
+    if (!detail::inside(domain, position[k])) {
+      throw run_error(detail::at_step(id[k], step) + " is lost at (" + detail::number(position[k].x) + ", " +
+                      detail::number(position[k].y) + ", " + detail::number(position[k].z) +
+                      ") m, outside of the domain: no wall holds it (see docs/how-to/stability.md)");
+    }
+  }
+}
+
+/// Finds and reports what the evaluation of the pairs only noticed.
+template <class Grains>
+[[noreturn]] void report_pair_trouble(const Grains& g, const pair_list& list, std::span<const double> gap,
+                                      double overlap_limit, std::int64_t step) {
+  const auto radius = g.template get<column::radius>();
+  const auto id = g.template get<column::id>();
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
+    const double smaller = std::min(radius[i], radius[j]);
+    if (gap[p] > -overlap_limit * smaller) continue;
+    if (!std::isfinite(gap[p])) {
+      throw run_error(detail::at_step(id[i], step) + " and grain " + std::to_string(id[j]) +
+                      " have a gap that is not finite: their centres coincide or a position is not finite (see "
+                      "docs/how-to/stability.md)");
+    }
+    throw run_error(detail::at_step(id[i], step) + " overlaps grain " + std::to_string(id[j]) + " by " +
+                    detail::number(-gap[p] / smaller) + " of its radius, more than the limit of " +
+                    detail::number(overlap_limit) + ": the contact is too soft for the load or the step too long (see "
+                    "docs/how-to/stability.md)");
+  }
+  throw run_error("a contact law returned a force that is not finite at step " + std::to_string(step) +
+                  ": check its parameters and its limit at gap 0 (see docs/how-to/stability.md)");
+}
+
+}  // namespace pendular

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/expects.hpp>
+#include <pendular/core/vec.hpp>
+
+#include <cmath>
+#include <string_view>
+
+namespace pendular {
+
+/// Velocity Verlet whose dissipative forces see the velocity extrapolated to the same time as the positions,
+/// v + a dt. Second order in dashpots too, and free of the unphysical sticking that half-step velocities cause between
+/// grains of very different size (Vyas et al. 2025); the stable step under strong damping is about half as long.
+/// Source: Allen and Tildesley, Computer Simulation of Liquids (1987), section 3.2.
+struct velocity_verlet {
+  double time_step;          // s
+  vector gravity{0, 0, 0};   // m/s2
+
+  void predict(vector& position, vector& velocity, const vector& acceleration) const {
+    const double dt = time_step;
+    position += dt * velocity + (0.5 * dt * dt) * acceleration;
+    velocity += dt * acceleration;
+  }
+  void predict_spin(vector& spin, const vector& acceleration) const { spin += time_step * acceleration; }
+
+  void correct(vector& velocity, const vector& before, const vector& now) const {
+    velocity += (0.5 * time_step) * (now - before);
+  }
+
+  /// Largest stable step, s, of a mode of angular frequency omega, rad/s, damped with the ratio zeta of critical.
+  static double stable_step(double omega, double zeta) {
+    return 2.0 / omega * (std::sqrt(4.0 * zeta * zeta + 1.0) - 2.0 * zeta);
+  }
+};
+
+/// Velocity Verlet whose dissipative forces see the velocity of half a step ago, as most DEM codes have it: first order
+/// in dashpots (restitution is off by up to 1 % at 200 steps per contact), stable up to about twice the step of
+/// `velocity_verlet` under strong damping.
+/// Source: Allen and Tildesley, Computer Simulation of Liquids (1987), section 3.2.
+struct half_step_velocity_verlet {
+  double time_step;          // s
+  vector gravity{0, 0, 0};   // m/s2
+
+  void predict(vector& position, vector& velocity, const vector& acceleration) const {
+    velocity += (0.5 * time_step) * acceleration;
+    position += time_step * velocity;
+  }
+  void predict_spin(vector& spin, const vector& acceleration) const { spin += (0.5 * time_step) * acceleration; }
+
+  void correct(vector& velocity, const vector& /*before*/, const vector& now) const {
+    velocity += (0.5 * time_step) * now;
+  }
+
+  static double stable_step(double omega, double zeta) {
+    return 2.0 / omega * (std::sqrt(zeta * zeta + 1.0) - zeta);
+  }
+};
+
+namespace detail {
+inline void validate_step(double time_step, const vector& gravity) {
+  constexpr auto page = "docs/reference/integrators.md";
+  expects(time_step > 0 && std::isfinite(time_step), "the time step (s)", time_step, "positive and finite", page);
+  const double g = dot(gravity, gravity);
+  expects(std::isfinite(g), "the square of gravity (m2/s4)", g, "finite", page);
+}
+}  // namespace detail
+
+inline void validate(const velocity_verlet& v) { detail::validate_step(v.time_step, v.gravity); }
+inline void validate(const half_step_velocity_verlet& v) { detail::validate_step(v.time_step, v.gravity); }
+
+/// Moves grains from one step to the next in two halves around the evaluation of the forces.
+template <class I>
+concept Integrator = std::copyable<I> && requires(const I integrator, vector& changed, const vector a) {
+  { integrator.time_step } -> std::convertible_to<double>;
+  { integrator.gravity } -> std::convertible_to<vector>;
+  integrator.predict(changed, changed, a);
+  integrator.predict_spin(changed, a);
+  integrator.correct(changed, a, a);
+  { I::stable_step(1.0, 1.0) } -> std::convertible_to<double>;
+};
+
+}  // namespace pendular

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/lanes.hpp>
+#include <pendular/core/parallel.hpp>
+#include <pendular/space/cell_grid.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pendular {
+
+/// Verlet list: every pair of grains whose gap was below range when the list was made. `first` is the grain of lower
+/// id, so that a pair looks the same in every list; both arrays are padded to whole blocks by repeating the last pair.
+class pair_list {
+ public:
+  /// A pair as its grain sees it.
+  struct incidence {
+    std::int32_t pair;
+    std::int32_t sign;  // +1 if the grain is `first`
+  };
+
+  std::size_t size() const { return size_; }
+  std::size_t padded_size() const { return first_.size(); }
+  double range() const { return range_; }
+  std::span<const std::int32_t> first() const { return first_; }
+  std::span<const std::int32_t> second() const { return second_; }
+
+  /// Pairs of a grain, sorted by the partner's id: sums over them do not depend on the storage order.
+  std::span<const incidence> pairs_of(std::size_t row) const {
+    return {incidences_.data() + start_[row], incidences_.data() + start_[row + 1]};
+  }
+
+  /// Makes the list for grains already stored in the order of the grid. `came_from[row]` is the row a grain had in
+  /// the list before; the answer tells for every pair which pair of the old list it was, or -1.
+  std::vector<std::int32_t> rebuild(std::span<const vector> positions, std::span<const double> radii,
+                                    std::span<const std::int64_t> ids, const cell_grid& grid, double range,
+                                    std::span<const std::size_t> came_from) {
+    const std::vector<incidence> old_incidences = std::move(incidences_);
+    const std::vector<std::size_t> old_start = std::move(start_);
+    const std::vector<std::int64_t> old_partner = std::move(partner_id_);
+    range_ = range;
+    find_pairs(positions, radii, ids, grid);
+    list_incidences(ids);
+
+    std::vector<std::int32_t> origin(size_, -1);
+    if (old_start.empty()) return origin;
+    for_chunks(size_, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t p = begin; p < end; ++p) {
+        const std::size_t row = came_from[static_cast<std::size_t>(first_[p])];
+        if (row + 1 >= old_start.size()) continue;
+        const auto from = old_partner.begin() + static_cast<std::ptrdiff_t>(old_start[row]);
+        const auto to = old_partner.begin() + static_cast<std::ptrdiff_t>(old_start[row + 1]);
+        const auto wanted = ids[static_cast<std::size_t>(second_[p])];
+        const auto found = std::lower_bound(from, to, wanted);
+        if (found == to || *found != wanted) continue;
+        origin[p] = old_incidences[static_cast<std::size_t>(found - old_partner.begin())].pair;
+      }
+    });
+    return origin;
+  }
+
+ private:
+  static constexpr std::size_t chunk = 256;
+
+  void find_pairs(std::span<const vector> positions, std::span<const double> radii, std::span<const std::int64_t> ids,
+                  const cell_grid& grid) {
+    const std::vector<std::size_t> starts = grid.starts();
+    std::vector<std::vector<std::int32_t>> found(chunk_count(positions.size(), chunk));
+    for_chunks(positions.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+      for (std::size_t a = begin; a < end; ++a) {
+        grid.for_neighbours(positions[a], [&](std::size_t from_cell, std::size_t to_cell) {
+          for (std::size_t b = std::max(starts[from_cell], a + 1); b < starts[to_cell + 1]; ++b) {
+            const vector d = positions[b] - positions[a];
+            const double reach = radii[a] + radii[b] + range_;
+            if (dot(d, d) > reach * reach) continue;
+            const bool in_order = ids[a] < ids[b];
+            found[c].push_back(static_cast<std::int32_t>(in_order ? a : b));
+            found[c].push_back(static_cast<std::int32_t>(in_order ? b : a));
+          }
+        });
+      }
+    });
+    first_.clear();
+    second_.clear();
+    for (const auto& part : found) {
+      for (std::size_t k = 0; k < part.size(); k += 2) {
+        first_.push_back(part[k]);
+        second_.push_back(part[k + 1]);
+      }
+    }
+    size_ = first_.size();
+    if (size_ > 0) {
+      first_.resize(padded(size_), first_.back());
+      second_.resize(padded(size_), second_.back());
+    }
+  }
+
+  void list_incidences(std::span<const std::int64_t> ids) {
+    start_.assign(ids.size() + 1, 0);
+    for (std::size_t p = 0; p < size_; ++p) {
+      ++start_[static_cast<std::size_t>(first_[p]) + 1];
+      ++start_[static_cast<std::size_t>(second_[p]) + 1];
+    }
+    for (std::size_t row = 0; row < ids.size(); ++row) start_[row + 1] += start_[row];
+    incidences_.resize(2 * size_);
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::size_t p = 0; p < size_; ++p) {
+      incidences_[next[static_cast<std::size_t>(first_[p])]++] = {static_cast<std::int32_t>(p), +1};
+      incidences_[next[static_cast<std::size_t>(second_[p])]++] = {static_cast<std::int32_t>(p), -1};
+    }
+    partner_id_.resize(2 * size_);
+    for_chunks(ids.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t row = begin; row < end; ++row) sort_by_partner(row, ids);
+    });
+  }
+
+  void sort_by_partner(std::size_t row, std::span<const std::int64_t> ids) {
+    const auto partner = [&](const incidence& i) {
+      const auto pair = static_cast<std::size_t>(i.pair);
+      return ids[static_cast<std::size_t>(i.sign > 0 ? second_[pair] : first_[pair])];
+    };
+    const auto from = incidences_.begin() + static_cast<std::ptrdiff_t>(start_[row]);
+    const auto to = incidences_.begin() + static_cast<std::ptrdiff_t>(start_[row + 1]);
+    std::sort(from, to, [&](const incidence& a, const incidence& b) { return partner(a) < partner(b); });
+    for (std::size_t k = start_[row]; k < start_[row + 1]; ++k) partner_id_[k] = partner(incidences_[k]);
+  }
+
+  std::size_t size_ = 0;
+  double range_ = 0;
+  std::vector<std::int32_t> first_, second_;
+  std::vector<std::size_t> start_;
+  std::vector<incidence> incidences_;
+  std::vector<std::int64_t> partner_id_;
+};
+
+}  // namespace pendular

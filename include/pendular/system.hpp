@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/boundary/wall.hpp>
+#include <pendular/boundary/wall_contacts.hpp>
+#include <pendular/contact/pair_contacts.hpp>
+#include <pendular/liquid/redistribution.hpp>
+#include <pendular/motion/advance.hpp>
+#include <pendular/motion/trouble.hpp>
+#include <pendular/motion/velocity_verlet.hpp>
+#include <pendular/space/grains.hpp>
+#include <pendular/space/pair_list.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace pendular {
+
+/// In place of a liquid in a dry scene.
+struct dry {};
+
+/// Numbers that are not physics.
+struct run_options {
+  double skin = 0.2;           // of the Verlet list, in units of the smallest radius
+  double overlap_limit = 0.1;  // a larger overlap, in units of the smaller radius, stops the run
+  double domain_margin = 10;   // a grain this many sizes of the first packing away from it is lost
+};
+
+namespace detail {
+template <class Liquid>
+struct bonds_of {
+  using type = bonds<Liquid>;
+};
+template <>
+struct bonds_of<dry> {
+  using type = no_bonds;
+};
+
+template <class Wall, class Material>
+using wall_material =
+    std::conditional_t<std::is_same_v<decltype(Wall::material), none>, Material, decltype(Wall::material)>;
+
+template <class Material, class Walls>
+struct wall_contacts_of;
+template <class Material, class... W>
+struct wall_contacts_of<Material, boundary::walls<W...>> {
+  using type = std::tuple<boundary::wall_contacts<W, wall_material<W, Material>>...>;
+};
+}  // namespace detail
+
+/// A DEM scene: material and liquid of the grains, walls, integrator. What is not chosen is not there: no bridge,
+/// volume or film without a liquid, no rotation without friction.
+template <class Material, class Liquid, class Boundary, class Integration>
+class system {
+  static_assert(Integrator<Integration>,
+                "a system needs an integrator as its last policy, such as velocity_verlet{1e-6} "
+                "(docs/reference/integrators.md)");
+
+ public:
+  using material_type = Material;
+  using liquid_type = Liquid;
+  using bonds_type = typename detail::bonds_of<Liquid>::type;
+  using grains_type = grains<Material::has_friction, Material::counts_contacts>;
+  using contacts_type = pair_contacts<Material, bonds_type>;
+  static constexpr bool wet = !std::is_same_v<Liquid, dry>;
+
+  system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i, run_options options = {})
+    requires(!std::is_same_v<Liquid, dry>)
+      : material_(m), bonds_(l), walls_(b), integrator_(i), options_(options) {
+    check_arguments();
+  }
+  system(const Material& m, const Boundary& b, const Integration& i, run_options options = {})
+    requires(std::is_same_v<Liquid, dry>)
+      : material_(m), walls_(b), integrator_(i), options_(options) {
+    check_arguments();
+  }
+
+  /// Errors: as grains::add.
+  void add(const grain& g) {
+    grains_.add(g);
+    if constexpr (wet) bonds_.book().resize_films(grains_.size());
+    started_ = false;
+  }
+
+  /// Lists the pairs and evaluates the forces, so that the state can be looked at before the first step.
+  void start() {
+    if (started_) return;
+    expects(grains_.size() > 0, "the number of grains", 0, "at least 1", "docs/reference/system.md");
+    domain_ = around(bounding_box(grains_.template get<column::position>()));
+    rebuild();
+    evaluate(false);
+    started_ = true;
+  }
+
+  /// Puts liquid of the given volume, m3, between all eligible pairs (Richefeu et al. 2007, Eqs. 13-14).
+  void distribute_liquid(double volume, bond_selection selection = {})
+    requires(!std::is_same_v<Liquid, dry>)
+  {
+    validate(selection);
+    start();
+    bonds_.book().introduce(volume);
+    selection_ = selection;
+    redistribute();
+    evaluate(false);
+  }
+
+  /// Errors: run_error, naming grain, step and cause.
+  void run(std::int64_t steps) {
+    start();
+    for (std::int64_t k = 0; k < steps; ++k) step();
+  }
+
+  const grains_type& particles() const { return grains_; }
+  grains_type& particles() { return grains_; }
+  const pair_list& pairs() const { return list_; }
+  const contacts_type& contacts() const { return contacts_; }
+  contacts_type& contacts() { return contacts_; }
+  const bonds_type& bridges() const { return bonds_; }
+  bonds_type& bridges() { return bonds_; }
+  const Material& contact_material() const { return material_; }
+  const Integration& integrator() const { return integrator_; }
+  const Boundary& walls() const { return walls_; }
+  Boundary& walls() { return walls_; }
+
+  std::int64_t step_count() const { return steps_; }
+  std::int64_t rebuild_count() const { return rebuilds_; }
+  double time() const { return static_cast<double>(steps_) * integrator_.time_step; }
+  const bond_events& events() const { return events_; }
+  const bond_selection& selection() const { return selection_; }
+
+  /// The listed pairs as the liquid and the observers see them.
+  pair_view view() const {
+    const double g = norm(integrator_.gravity);
+    const vector up = g > 0 ? (-1.0 / g) * integrator_.gravity : vector{0, 0, 0};
+    return {list_.first(), list_.second(), list_.size(), grains_.template get<column::position>(),
+            grains_.template get<column::radius>(), grains_.template get<column::id>(), up};
+  }
+
+  /// visit(wall, its contacts) for all walls in the order they were given.
+  template <class Visit>
+  void for_each_wall(const Visit& visit) {
+    for_each_wall_of(*this, visit);
+  }
+  template <class Visit>
+  void for_each_wall(const Visit& visit) const {
+    for_each_wall_of(*this, visit);
+  }
+
+  /// Makes neighbour list and running sums anew. Done where a checkpoint is written and where it is read, so that both
+  /// runs go on with the same bits.
+  void canonicalise() {
+    rebuild();
+    contacts_.work().fold();
+    for_each_wall([](auto&, auto& contacts) { contacts.work().fold(); });
+  }
+
+  /// Sets the clock of a run whose grains, walls and bridges a checkpoint has just put back.
+  void resume_at(std::int64_t steps, const bond_selection& selection, const bond_events& events) {
+    steps_ = steps;
+    selection_ = selection;
+    events_ = events;
+    domain_ = around(bounding_box(grains_.template get<column::position>()));
+    started_ = true;
+  }
+
+ private:
+  template <class Self, class Visit>
+  static void for_each_wall_of(Self& self, const Visit& visit) {
+    constexpr auto count = std::tuple_size_v<std::remove_cvref_t<decltype(self.walls_.all)>>;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (visit(std::get<I>(self.walls_.all), std::get<I>(self.wall_contacts_)), ...);
+    }(std::make_index_sequence<count>{});
+  }
+
+  void check_arguments() const {
+    constexpr auto page = "docs/reference/system.md";
+    validate(integrator_);
+    expects(options_.skin > 0 && options_.skin < 10, "the skin in units of the smallest radius", options_.skin,
+            "in (0, 10)", page);
+    expects(options_.overlap_limit > 0 && options_.overlap_limit < 1, "the overlap limit in units of the radius",
+            options_.overlap_limit, "in (0, 1)", page);
+    if constexpr (wet) {
+      if constexpr (Liquid::needs_gravity) {
+        expects(norm(integrator_.gravity) > 0, "the gravity of a scene with protocol::gravity (m/s2)", 0.0,
+                "different from 0", "docs/reference/liquid.md");
+      }
+    }
+  }
+
+  template <class Wall>
+  const auto& material_of(const Wall& wall) const {
+    if constexpr (std::is_same_v<decltype(Wall::material), none>) {
+      return material_;
+    } else {
+      return wall.material;
+    }
+  }
+
+  box around(const box& b) const {
+    const vector size = b.upper - b.lower;
+    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii().second);
+    const vector all_around{margin, margin, margin};
+    return {b.lower - all_around, b.upper + all_around};
+  }
+
+  std::pair<double, double> extreme_radii() const {
+    const auto r = grains_.template get<column::radius>();
+    const auto [small, large] = std::minmax_element(r.begin(), r.end());
+    return {*small, *large};
+  }
+
+  void step() {
+    stale_ |= predict(grains_, integrator_, listed_at_, 0.5 * skin_);
+    for_each_wall([&](auto& wall, auto&) {
+      wall.move(integrator_.time_step);
+      wall_travel_ += norm(wall.drive.velocity) * integrator_.time_step;
+    });
+    ++steps_;
+    if (stale_ || wall_travel_ > 0.5 * skin_) rebuild();
+    if constexpr (wet) {
+      if constexpr (Liquid::redistributes_globally) {
+        if (steps_ % bonds_.policies().redistribution().period == 0) redistribute();
+      }
+    }
+    evaluate(true);
+  }
+
+  void rebuild() {
+    check_grains(grains_, domain_, steps_);
+    const auto [small, large] = extreme_radii();
+    skin_ = options_.skin * small;
+    double range = skin_;
+    if constexpr (wet) range += std::max(bonds_.reach(view()), wanted_reach_);
+    const double edge = 2 * large + range;
+    const auto order = cell_grid(grains_.template get<column::position>(), edge).order(grains_.template get<column::id>());
+    grains_.permute(order);
+    const auto position = grains_.template get<column::position>();
+    const auto origin = list_.rebuild(position, grains_.template get<column::radius>(),
+                                      grains_.template get<column::id>(), cell_grid(position, edge), range, order);
+    contacts_.carry(origin, list_.padded_size());
+    if constexpr (wet) {
+      bonds_.book().permute_films(order);
+      bonds_.carry(origin, view());
+    }
+    for_each_wall([&](const auto& wall, auto& contacts) { contacts.rebuild(grains_, wall, skin_, order); });
+    listed_at_.assign(position.begin(), position.end());
+    wall_travel_ = 0;
+    stale_ = false;
+    ++rebuilds_;
+  }
+
+  void redistribute()
+    requires(!std::is_same_v<Liquid, dry>)
+  {
+    wanted_reach_ = homogeneous_reach(bonds_, candidates(view(), selection_), bonds_.book().introduced());
+    if (list_.range() < wanted_reach_ + skin_) rebuild();
+    wanted_reach_ = 0;
+    count(distribute_homogeneously(bonds_, view(), selection_));
+  }
+
+  void count(const bond_events& e) {
+    events_.ruptures += e.ruptures;
+    events_.formations += e.formations;
+  }
+
+  void evaluate(bool moving) {
+    const double dt = integrator_.time_step;
+    const pair_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, dt, options_.overlap_limit);
+    if (found.trouble) report_pair_trouble(grains_, list_, contacts_.gap(), options_.overlap_limit, steps_);
+    loads_.clear(grains_.size());
+    for_each_wall([&](auto& wall, auto& contacts) {
+      contacts.evaluate(grains_, wall, material_of(wall), dt);
+      wall.force = contacts.force_on_wall();
+      loads_.add(contacts);
+    });
+    if constexpr (wet) {
+      const auto pairs_of = [&](std::size_t grain) { return list_.pairs_of(grain); };
+      if (found.liquid_event) count(settle_bonds(bonds_, view(), contacts_.gap(), pairs_of));
+    }
+    correct(grains_, list_, contacts_, loads_, integrator_, moving);
+  }
+
+  Material material_;
+  bonds_type bonds_;
+  Boundary walls_;
+  Integration integrator_;
+  run_options options_;
+  grains_type grains_;
+  pair_list list_;
+  contacts_type contacts_;
+  typename detail::wall_contacts_of<Material, Boundary>::type wall_contacts_;
+  wall_loads<grains_type> loads_;
+  std::vector<vector> listed_at_;
+  box domain_{};
+  bond_selection selection_;
+  bond_events events_;
+  std::int64_t steps_ = 0, rebuilds_ = 0;
+  double skin_ = 0, wall_travel_ = 0, wanted_reach_ = 0;
+  bool stale_ = true, started_ = false;
+};
+
+template <class... M, class... L, class Boundary, class Integration>
+system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, run_options = {})
+    -> system<material<M...>, liquid<L...>, Boundary, Integration>;
+template <class... M, class Boundary, class Integration>
+system(const material<M...>&, const Boundary&, const Integration&, run_options = {})
+    -> system<material<M...>, dry, Boundary, Integration>;
+
+}  // namespace pendular

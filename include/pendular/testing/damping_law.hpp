@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/law/concepts.hpp>
+#include <pendular/testing/report.hpp>
+#include <pendular/testing/samples.hpp>
+#include <pendular/testing/scalars.hpp>
+
+namespace pendular::testing {
+
+namespace detail {
+template <class L, class T>
+concept Resists = requires(const L law, const approach<T> a, const T stiffness) {
+  { law.resistance(a, stiffness) } -> std::convertible_to<T>;
+};
+
+template <DampingLaw Law>
+void demand_dissipation(report& broken, const Law& law, const approach<double>& a, double stiffness) {
+  const double force = law.resistance(a, stiffness);
+  const std::initializer_list<quantity> example = {
+      {"gap", a.gap}, {"closing_speed", a.closing_speed}, {"stiffness", stiffness}, {"resistance", force}};
+  demand(broken, std::isfinite(force), "the resistance must be finite", example);
+  demand(broken, !(force * a.closing_speed < 0), "the resistance must dissipate", example);
+  demand(broken, a.gap < 0 || force == 0, "the resistance must be zero out of contact", example);
+  demand(broken, a.closing_speed != 0 || force == 0, "the resistance must be zero at zero speed", example);
+}
+
+template <DampingLaw Law>
+void demand_damping_symmetry(report& broken, const Law& law, const approach<double>& a, double stiffness) {
+  const double force = law.resistance(a, stiffness);
+  const approach<double> swapped{a.gap, a.closing_speed, a.reduced_mass, a.radius_j, a.radius_i};
+  const double from_j = law.resistance(swapped, stiffness);
+  demand(broken, agree(force, from_j, 1e-12), "the resistance must not change when i and j are exchanged",
+         {{"radius_i", a.radius_i}, {"radius_j", a.radius_j}, {"resistance", force}, {"exchanged", from_j}});
+}
+
+template <class T, DampingLaw Law>
+void demand_damping_in(report& broken, const Law& law, std::string_view property) {
+  demand(broken, Resists<Law, T>, property, {});
+  if constexpr (Resists<Law, T>) {
+    const auto force = [&]<class U>(const approach<U>& a) { return law.resistance(a, U(1e3)); };
+    demand_same_in<T>(broken, property, approach_samples(), force);
+  }
+}
+}  // namespace detail
+
+/// What a damping law promises beyond its signature.
+template <DampingLaw Law>
+report damping_law_report(const Law& law) {
+  report broken;
+  for (const approach<double>& a : approach_samples()) {
+    for (const double stiffness : {0.0, 1e-3, 1e3, 1e9}) {
+      detail::demand_dissipation(broken, law, a, stiffness);
+      detail::demand_damping_symmetry(broken, law, a, stiffness);
+    }
+  }
+  detail::demand_damping_in<float>(broken, law, "the resistance must be the same in float");
+  detail::demand_damping_in<lanes<8>>(broken, law, "the resistance must be the same in lanes of double");
+  detail::demand_damping_in<Eigen::Array<float, 16, 1>>(broken, law, "the resistance must be the same in lanes of float");
+  detail::demand_damping_in<dual>(broken, law, "the resistance must be the same under automatic differentiation");
+  return broken;
+}
+
+}  // namespace pendular::testing

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// expect 1: a friction law must be copyable
+// expect 2: a friction law needs `template <Scalar T> Vec3<T> traction(const slip<T>&, const T& normal_force) const`
+// expect 3: traction must return a Vec3 of the scalar type of its slip
+// expect 4: with a third argument `contact_memory<T>&`, a nested template, if it remembers
+#include <pendular/law/check.hpp>
+
+using namespace pendular;
+
+struct my_law {
+#if PENDULAR_MISTAKE == 1
+  my_law(const my_law&) = delete;
+#endif
+#if PENDULAR_MISTAKE == 4
+  template <class T>
+  struct memory_of_contact {
+    Vec3<T> force;
+  };
+  template <Scalar T>
+  Vec3<T> traction(const slip<T>&, const T&, memory_of_contact<T>& memory) const {
+    return memory.force;
+  }
+#elif PENDULAR_MISTAKE == 2
+  template <Scalar T>
+  Vec3<T> traction(const slip<T>& s) const {
+    return -s.velocity;
+  }
+#elif PENDULAR_MISTAKE == 3
+  template <Scalar T>
+  T traction(const slip<T>& s, const T&) const {
+    return -norm(s.velocity);
+  }
+#else
+  template <Scalar T>
+  Vec3<T> traction(const slip<T>& s, const T& normal_force) const {
+    return shortened_to(Vec3<T>(-s.velocity), normal_force);
+  }
+#endif
+};
+
+static_assert(check::friction_law<my_law>);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// expect 1: a normal law must be copyable
+// expect 2: a normal law needs `template <Scalar T> T repulsion(const approach<T>&) const`
+// expect 3: repulsion must return the scalar type of its approach
+#include <pendular/law/check.hpp>
+
+using namespace pendular;
+
+struct my_law {
+#if PENDULAR_MISTAKE == 1
+  my_law(const my_law&) = delete;
+#endif
+#if PENDULAR_MISTAKE == 2
+  template <Scalar T>
+  T repulsion(const bridge<T>& a) const {
+    return -a.gap;
+  }
+#elif PENDULAR_MISTAKE == 3
+  template <Scalar T>
+  void repulsion(const approach<T>&) const {}
+#else
+  template <Scalar T>
+  T repulsion(const approach<T>& a) const {
+    return max(T(-a.gap), T(0));
+  }
+#endif
+};
+
+static_assert(check::normal_law<my_law>);

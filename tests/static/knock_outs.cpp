@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every knock-out breaks one clause of its concept and must be refused; the twin without the mistake must be accepted.
+#include <pendular/law/concepts.hpp>
+#include <pendular/testing/knock_outs.hpp>
+
+#include <boost/hana/unpack.hpp>
+
+namespace hana = boost::hana;
+using namespace pendular;
+namespace knock_out = pendular::testing::knock_out;
+
+namespace {
+
+template <class List, class Predicate>
+consteval bool none_of(List laws, Predicate holds) {
+  return hana::unpack(laws, [holds](auto... law) { return (!holds(law) && ...); });
+}
+template <class Type>
+using type_of = typename Type::type;
+
+static_assert(none_of(knock_out::normal_laws, []<class L>(L) { return NormalLaw<type_of<L>>; }));
+static_assert(none_of(knock_out::damping_laws, []<class L>(L) { return DampingLaw<type_of<L>>; }));
+static_assert(none_of(knock_out::friction_laws, []<class L>(L) { return FrictionLaw<type_of<L>>; }));
+static_assert(none_of(knock_out::capillary_laws, []<class L>(L) { return CapillaryLaw<type_of<L>>; }));
+static_assert(none_of(knock_out::rupture_laws, []<class L>(L) { return RuptureLaw<type_of<L>>; }));
+static_assert(none_of(knock_out::capillary_energies, []<class L>(L) { return HasCapillaryEnergy<type_of<L>>; }));
+
+// The twins: what the knock-outs are with their one mistake mended.
+struct normal_twin {
+  double repulsion(const approach<double>& a) const { return -a.gap; }
+};
+struct damping_twin {
+  double resistance(const approach<double>& a, double k) const { return k * a.closing_speed; }
+};
+struct friction_twin {
+  Vec3<double> traction(const slip<double>& s, double) const { return -s.velocity; }
+};
+struct friction_twin_with_memory {
+  template <class T>
+  struct contact_memory {
+    Vec3<T> force;
+  };
+  Vec3<double> traction(const slip<double>&, double, contact_memory<double>& memory) const { return memory.force; }
+};
+struct capillary_twin {
+  double attraction(const bridge<double>& b, const fluid&) const { return b.radius_i; }
+  double energy(const bridge<double>&, const fluid&, double) const { return 0; }
+};
+struct prepared_twin {
+  template <class T>
+  using coefficients = T;
+  double prepare(const bridge<double>& b, const fluid&) const { return b.radius_i; }
+  double attraction(double, double c) const { return c; }
+};
+struct rupture_twin {
+  double distance(const bridge<double>& b, const fluid&) const { return b.radius_i; }
+};
+static_assert(NormalLaw<normal_twin> && DampingLaw<damping_twin> && FrictionLaw<friction_twin>);
+static_assert(FrictionLaw<friction_twin_with_memory> && RuptureLaw<rupture_twin>);
+static_assert(CapillaryLaw<capillary_twin> && HasCapillaryEnergy<capillary_twin> && CapillaryLaw<prepared_twin>);
+
+}  // namespace

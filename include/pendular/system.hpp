@@ -5,7 +5,9 @@
 #include <pendular/boundary/wall_contacts.hpp>
 #include <pendular/contact/pair_contacts.hpp>
 #include <pendular/liquid/redistribution.hpp>
+#include <pendular/motion/admissible_time_step.hpp>
 #include <pendular/motion/advance.hpp>
+#include <pendular/motion/scene_check.hpp>
 #include <pendular/motion/trouble.hpp>
 #include <pendular/motion/velocity_verlet.hpp>
 #include <pendular/space/grains.hpp>
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -28,6 +31,7 @@ struct run_options {
   double skin = 0.2;           // of the Verlet list, in units of the smallest radius
   double overlap_limit = 0.1;  // a larger overlap, in units of the smaller radius, stops the run
   double domain_margin = 10;   // a grain this many sizes of the first packing away from it is lost
+  bool force = false;          // run even if the scene breaks a limit
 };
 
 namespace detail {
@@ -93,7 +97,28 @@ class system {
     domain_ = around(bounding_box(grains_.template get<column::position>()));
     rebuild();
     evaluate(false);
+    expect_limits();
     started_ = true;
+  }
+
+  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness.
+  std::vector<scene_limit> limits() const {
+    std::vector<scene_limit> all{contact_step_limit(integrator_, grains_, list_, material_),
+                                 viscosity_step_limit(integrator_, grains_, list_, material_),
+                                 damping_limit(grains_, material_),
+                                 pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
+    if constexpr (wet) {
+      all.push_back(capillary_step_limit(integrator_, grains_, view(), bonds_));
+      all.push_back(bridge_softness_limit(grains_, material_, view(), bonds_));
+    }
+    return all;
+  }
+
+  /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
+  /// unless run_options::force is set.
+  void expect_limits() const {
+    if (options_.force) return;
+    if (const std::string broken = violations(limits()); !broken.empty()) throw input_error(broken);
   }
 
   /// Puts liquid of the given volume, m3, between all eligible pairs (Richefeu et al. 2007, Eqs. 13-14).
@@ -106,6 +131,7 @@ class system {
     selection_ = selection;
     redistribute();
     evaluate(false);
+    expect_limits();
   }
 
   /// Errors: run_error, naming grain, step and cause.
@@ -140,6 +166,16 @@ class system {
             grains_.template get<column::radius>(), grains_.template get<column::id>(), up};
   }
 
+  /// The wall's own material, or the grains'.
+  template <class Wall>
+  const auto& material_of(const Wall& wall) const {
+    if constexpr (std::is_same_v<decltype(Wall::material), none>) {
+      return material_;
+    } else {
+      return wall.material;
+    }
+  }
+
   /// visit(wall, its contacts) for all walls in the order they were given.
   template <class Visit>
   void for_each_wall(const Visit& visit) {
@@ -152,8 +188,11 @@ class system {
 
   /// Makes neighbour list and running sums anew. Done where a checkpoint is written and where it is read, so that both
   /// runs go on with the same bits.
-  void canonicalise() {
+  /// `reach` is how far the new list must see at least, m.
+  void canonicalise(double reach = 0) {
+    wanted_reach_ = reach;
     rebuild();
+    wanted_reach_ = 0;
     contacts_.work().fold();
     for_each_wall([](auto&, auto& contacts) { contacts.work().fold(); });
   }
@@ -191,20 +230,20 @@ class system {
     }
   }
 
-  template <class Wall>
-  const auto& material_of(const Wall& wall) const {
-    if constexpr (std::is_same_v<decltype(Wall::material), none>) {
-      return material_;
-    } else {
-      return wall.material;
-    }
-  }
-
   box around(const box& b) const {
     const vector size = b.upper - b.lower;
     const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii().second);
     const vector all_around{margin, margin, margin};
     return {b.lower - all_around, b.upper + all_around};
+  }
+
+  /// Largest stress a lid imposes, Pa.
+  double load() const {
+    double largest = 0;
+    for_each_wall([&](const auto& wall, const auto&) {
+      if constexpr (requires { wall.drive.stress; }) largest = std::max(largest, wall.drive.stress);
+    });
+    return largest;
   }
 
   std::pair<double, double> extreme_radii() const {
@@ -268,13 +307,13 @@ class system {
   }
 
   void evaluate(bool moving) {
-    const double dt = integrator_.time_step;
-    const pair_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, dt, options_.overlap_limit);
+    const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit};
+    const pair_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_.gap(), options_.overlap_limit, steps_);
     loads_.clear(grains_.size());
     for_each_wall([&](auto& wall, auto& contacts) {
-      contacts.evaluate(grains_, wall, material_of(wall), dt);
-      wall.force = contacts.force_on_wall();
+      contacts.evaluate(grains_, wall, material_of(wall), clock);
+      wall.take(contacts.force_on_wall(), moving ? clock.time_step : 0);
       loads_.add(contacts);
     });
     if constexpr (wet) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The law kits find what they look for, and nothing else.
-#include "../catch.hpp"
 #include "bad_laws.hpp"
+#include "../catch.hpp"
 
 #include <pendular/testing/law_kits.hpp>
 
@@ -40,8 +40,9 @@ TEST_CASE("the normal kit finds a broken promise") {
   check_found(testing::normal_law_report(spring_in_double_only{}),
               {"the repulsion must be the same in float", "the repulsion must be the same in lanes of double",
                "the repulsion must be the same in lanes of float", "the repulsion must be the same under automatic"});
-  check_found(testing::normal_law_report(spring_that_mixes_lanes{}),
-              {"the repulsion must be the same in lanes of double", "the repulsion must be the same in lanes of float"});
+  check_found(
+      testing::normal_law_report(spring_that_mixes_lanes{}),
+      {"the repulsion must be the same in lanes of double", "the repulsion must be the same in lanes of float"});
   const report blown_up = testing::normal_law_report(spring_that_blows_up{});
   CHECK(blown_up.front().starts_with("the repulsion must be finite"));
 }
@@ -70,8 +71,10 @@ TEST_CASE("the friction kit finds a broken promise") {
   CHECK(of(breakaway).front().starts_with("the traction must be zero at zero slip"));
   check_found(of(along_normal), {"the traction must lie in the tangent plane", "the traction must be parallel"});
   check_found(of(skewed), {"the traction must be parallel to the slip"});
-  check_found(testing::friction_law_report(spring_capped_too_late{}, 0.4), {"the traction must stay inside the Coulomb"});
-  check_found(testing::friction_law_report(bad_friction{none}, 0.3), {"the traction must stay inside the Coulomb cone"});
+  check_found(testing::friction_law_report(spring_capped_too_late{}, 0.4),
+              {"the traction must stay inside the Coulomb"});
+  check_found(testing::friction_law_report(bad_friction{none}, 0.3),
+              {"the traction must stay inside the Coulomb cone"});
   CHECK(testing::friction_law_report(friction_in_double_only{}, 0.4).size() == 4);
 }
 

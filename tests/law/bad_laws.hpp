@@ -27,7 +27,8 @@ struct bad_spring {
   }
   double stiffness(const approach<double>& a) const {
     if (made == mistake::wrong_stiffness) return 2.0;
-    return made == mistake::lopsided ? 1.0 / (1.0 / a.radius_i + 1.0 / a.radius_j) + 1e-3 * std::min(a.radius_i, 1.0) : 1.0;
+    return made == mistake::lopsided ? 1.0 / (1.0 / a.radius_i + 1.0 / a.radius_j) + 1e-3 * std::min(a.radius_i, 1.0)
+                                     : 1.0;
   }
   double energy(const approach<double>& a) const {
     const double overlap = max(-a.gap, 0.0);
@@ -122,12 +123,12 @@ struct bad_bridge {
   enum class mistake {
     none,
     repels,
-    gap_only,           // no attraction in overlap, as one public code has it
+    gap_only,  // no attraction in overlap, as one public code has it
     grows,
-    larger_radius_j,    // the radius of j in place of the mean
-    dimensional,        // a power of the volume in m3, as another has it
-    wrong_energy,       // without the work in overlap
-    dries_to_nan,       // 0 * inf as the volume vanishes, as a third has it
+    larger_radius_j,  // the radius of j in place of the mean
+    dimensional,      // a power of the volume in m3, as another has it
+    wrong_energy,     // without the work in overlap
+    dries_to_nan,     // 0 * inf as the volume vanishes, as a third has it
   } made;
 
   template <Scalar T>

@@ -23,7 +23,8 @@ static_assert(CapillaryLaw<archetype::prepared_capillary_law>);
 static_assert(check::rupture_law<archetype::rupture_law> && RuptureLaw<archetype::rupture_law>);
 
 // Each offers one form only, and nothing optional.
-static_assert(!detail::Prepares<archetype::capillary_law, double> && !detail::Attracts<archetype::prepared_capillary_law, double>);
+static_assert(!detail::Prepares<archetype::capillary_law, double> &&
+              !detail::Attracts<archetype::prepared_capillary_law, double>);
 static_assert(!HasCapillaryEnergy<archetype::capillary_law> && !HasCapillaryEnergy<archetype::prepared_capillary_law>);
 static_assert(!detail::KnowsStiffness<archetype::normal_law, double>);
 
@@ -37,8 +38,10 @@ static_assert(bare<archetype::prepared_capillary_law> && bare<archetype::rupture
 [[maybe_unused]] double adapted(const archetype::normal_law& normal, const archetype::capillary_law& simple,
                                 const archetype::prepared_capillary_law& prepared, const bridge<double>& b,
                                 const fluid& f) {
-  const double slopes = stiffness(normal, approach<double>{b.gap, 0, 1, 1, 1}) + slope(simple, b, f) + slope(prepared, b, f);
-  return slopes + attraction(simple, b.gap, prepare(simple, b, f), f) + attraction(prepared, b.gap, prepare(prepared, b, f), f);
+  const double slopes =
+      stiffness(normal, approach<double>{b.gap, 0, 1, 1, 1}) + slope(simple, b, f) + slope(prepared, b, f);
+  return slopes + attraction(simple, b.gap, prepare(simple, b, f), f) +
+         attraction(prepared, b.gap, prepare(prepared, b, f), f);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 template <class Law>
 inline constexpr bool plain =
-    std::is_aggregate_v<Law> && std::is_trivially_copyable_v<Law> && std::is_standard_layout_v<Law>;
+    std::is_aggregate_v<Law>&& std::is_trivially_copyable_v<Law>&& std::is_standard_layout_v<Law>;
 
 template <class List, class Predicate>
 consteval bool all(List laws, Predicate holds) {

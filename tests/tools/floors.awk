@@ -8,7 +8,7 @@ BEGIN {
   may_include("law", "core law")
   may_include("laplace_young", "core laplace_young")
   may_include("liquid", "core law liquid")
-  may_include("contact", "core law liquid contact")
+  may_include("contact", "core law liquid contact space")
   may_include("space", "core space")
   may_include("boundary", floors_0_to_2 " boundary")
   may_include("motion", floors_0_to_2 " motion")

@@ -32,10 +32,12 @@ struct wall {
     if constexpr (requires { validate(drive); }) validate(drive);
   }
 
-  void move(double time_step) {
-    const vector before = drive.velocity;
-    drive.move(shape, force, time_step);
-    work += -dot(force, 0.5 * (before + drive.velocity)) * time_step;
+  void move(double time_step) { drive.move(shape, force, time_step); }
+
+  /// The force of this step, after the wall has moved for `time_step`.
+  void take(const vector& now, double time_step) {
+    work -= 0.5 * time_step * dot(force + now, vector(drive.velocity));
+    force = now;
   }
 };
 

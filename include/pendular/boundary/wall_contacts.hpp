@@ -2,8 +2,9 @@
 #pragma once
 
 #include <pendular/boundary/wall.hpp>
-#include <pendular/contact/energy_book.hpp>
+#include <pendular/contact/clock.hpp>
 #include <pendular/contact/force.hpp>
+#include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
 #include <pendular/space/grains.hpp>
@@ -48,14 +49,13 @@ class wall_contacts {
     force_.resize(rows_.size());
     torque_.resize(rows_.size());
     gap_.assign(rows_.size(), std::numeric_limits<double>::infinity());
-    work_.resize(chunk_count(rows_.size(), chunk));
+    work_.carry(origin, rows_.size());
   }
 
   template <class Grains>
-  void evaluate(const Grains& g, const Wall& w, const Material& material, double time_step) {
-    const vector wall_velocity = w.drive.velocity;
-    for_chunks(rows_.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
-      for (std::size_t k = begin; k < end; k += lane_count) evaluate_block(g, w, material, wall_velocity, time_step, k, c);
+  void evaluate(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock) {
+    for_chunks(rows_.size(), work_sums::chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t k = begin; k < end; k += lane_count) evaluate_block(g, w, material, clock, k);
     });
   }
 
@@ -73,12 +73,10 @@ class wall_contacts {
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
-  contact_work_sums& work() { return work_; }
-  const contact_work_sums& work() const { return work_; }
+  work_sums_of<Material>& work() { return work_; }
+  const work_sums_of<Material>& work() const { return work_; }
 
  private:
-  static constexpr std::size_t chunk = 64 * lane_count;
-
   template <class Grains>
   encounter<block> meet(const Grains& g, const Wall& w, const std::int32_t* rows, const vector& wall_velocity,
                         double time_step) const {
@@ -105,11 +103,11 @@ class wall_contacts {
   }
 
   template <class Grains>
-  void evaluate_block(const Grains& g, const Wall& w, const Material& material, const vector& wall_velocity,
-                      double time_step, std::size_t k, std::size_t c) {
-    const encounter<block> e = meet(g, w, rows_.data() + k, wall_velocity, time_step);
+  void evaluate_block(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock,
+                      std::size_t k) {
+    const encounter<block> e = meet(g, w, rows_.data() + k, w.drive.velocity, clock.time_step);
     memory<block> remembered = memory_.load_block(k);
-    const contact_force<block> f = touch(material, e, remembered, time_step);
+    const contact_force<block> f = touch(material, e, remembered, clock.time_step);
     memory_.store_block(k, remembered);
     const Vec3<block> force = f.traction - f.push * e.normal;
     const Vec3<block> torque = block(e.approaching.radius_i + e.approaching.gap) * cross(e.normal, f.traction);
@@ -119,16 +117,7 @@ class wall_contacts {
       torque_[row] = {torque.x(lane), torque.y(lane), torque.z(lane)};
       gap_[row] = e.approaching.gap(lane);
     }
-    if constexpr (Material::keeps_energy_book) {
-      const block real = block_is_real(k);
-      work_[c].damping += time_step * f.damping_power * real;
-      work_[c].friction += time_step * f.friction_power * real;
-    }
-  }
-
-  block block_is_real(std::size_t k) const {
-    const double left = static_cast<double>(count_) - static_cast<double>(k);
-    return (left - block::LinSpaced(0, lane_count - 1)).max(0.0).min(1.0);
+    if constexpr (Material::keeps_energy_book) work_.add(k, count_, e, f, clock.time_step, clock.velocity_lag);
   }
 
   std::size_t count_ = 0;
@@ -136,7 +125,7 @@ class wall_contacts {
   scalar_table<memory> memory_;
   std::vector<vector> force_, torque_;
   std::vector<double> gap_;
-  contact_work_sums work_;
+  work_sums_of<Material> work_;
 };
 
 }  // namespace pendular::boundary

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/contact/material.hpp>
+#include <pendular/core/fields.hpp>
 #include <pendular/law/stiffness.hpp>
 
 namespace pendular {
@@ -21,10 +22,10 @@ struct encounter {
 /// Without attraction: force on grain i is -push n + traction.
 template <class T>
 struct contact_force {
-  T push;            // N
-  Vec3<T> traction;  // N
-  T damping_power;   // W, taken out of the motion
-  T friction_power;  // W
+  T push;             // elastic + damping, N
+  T damping;          // N, part of push
+  Vec3<T> traction;   // N
+  Vec3<T> slip_rate;  // of the surface of i over that of its partner, m/s
 };
 
 /// A tangential memory vector follows its contact: turned about the normal, laid into the tangent plane, same length.
@@ -61,20 +62,18 @@ Vec3<T> traction(const Friction& law, const slip<T>& s, const T& normal_force, M
 template <class T, class Material, class Memory>
 contact_force<T> touch(const Material& material, const encounter<T>& e, Memory& memory, double time_step) {
   const T elastic = material.normal().repulsion(e.approaching);
-  contact_force<T> result{elastic, {T(0), T(0), T(0)}, T(0), T(0)};
+  contact_force<T> result{elastic, T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
   if constexpr (Material::has_damping) {
     const T rigidity = stiffness(material.normal(), e.approaching);
-    const T damping = material.damping().resistance(e.approaching, rigidity);
-    result.push = elastic + damping;
-    result.damping_power = damping * e.approaching.closing_speed;
+    result.damping = material.damping().resistance(e.approaching, rigidity);
+    result.push = elastic + result.damping;
   }
   if constexpr (Material::has_friction) {
-    const Vec3<T> surface_velocity = tangential_part(e.velocity, e.normal) + e.rolling;
-    const slip<T> s{surface_velocity, e.normal, e.tangential_mass, e.contacts, time_step};
+    result.slip_rate = tangential_part(e.velocity, e.normal) + e.rolling;
+    const slip<T> s{result.slip_rate, e.normal, e.tangential_mass, e.contacts, time_step};
     const T normal_force = max(result.push, T(0));
     if constexpr (Material::has_memory) detail::follow_all(memory, e.normal, e.twist);
     result.traction = detail::traction(material.friction(), s, normal_force, memory);
-    result.friction_power = -dot(result.traction, surface_velocity);
   }
   return result;
 }

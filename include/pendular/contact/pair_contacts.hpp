@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/contact/energy_book.hpp>
+#include <pendular/contact/clock.hpp>
 #include <pendular/contact/force.hpp>
+#include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
 #include <pendular/liquid/bonds.hpp>
@@ -38,18 +39,17 @@ class pair_contacts {
     if constexpr (Material::has_friction) {
       for (auto* column : {&torque_x_, &torque_y_, &torque_z_}) column->assign(rows, 0.0);
     }
-    work_.resize(chunk_count(rows, chunk));
+    work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
   }
 
-  /// overlap_limit is a fraction of the smaller radius.
   template <class Grains>
   pair_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
-                         double time_step, double overlap_limit) {
+                         const contact_clock& clock) {
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       pair_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
-        evaluate_block(g, list, material, bonds, time_step, overlap_limit, p, c, found);
+        evaluate_block(g, list, material, bonds, clock, p, found);
       }
       findings_[c] = found;
     });
@@ -71,11 +71,11 @@ class pair_contacts {
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
-  contact_work_sums& work() { return work_; }
-  const contact_work_sums& work() const { return work_; }
+  work_sums_of<Material>& work() { return work_; }
+  const work_sums_of<Material>& work() const { return work_; }
 
  private:
-  static constexpr std::size_t chunk = 64 * lane_count;
+  static constexpr std::size_t chunk = work_sums::chunk;
 
   template <class Grains>
   static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, double time_step) {
@@ -112,11 +112,11 @@ class pair_contacts {
 
   template <class Grains>
   void evaluate_block(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
-                      double time_step, double overlap_limit, std::size_t p, std::size_t c, pair_findings& found) {
-    const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, time_step);
+                      const contact_clock& clock, std::size_t p, pair_findings& found) {
+    const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, clock.time_step);
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
-    const contact_force<block> f = touch(material, e, remembered, time_step);
+    const contact_force<block> f = touch(material, e, remembered, clock.time_step);
     memory_.store_block(p, remembered);
     block pull = block::Zero();
     if constexpr (wet) {
@@ -126,8 +126,8 @@ class pair_contacts {
     const block push = f.push - pull;
     store_results(p, gap, f.traction - push * e.normal, e.normal, f.traction);
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
-    found.trouble |= !((gap + overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + push).sum());
-    if constexpr (Material::keeps_energy_book) add_work(list, p, c, f, time_step);
+    found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + push).sum());
+    if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock.time_step, clock.velocity_lag);
   }
 
   void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,
@@ -144,17 +144,10 @@ class pair_contacts {
     }
   }
 
-  void add_work(const pair_list& list, std::size_t p, std::size_t c, const contact_force<block>& f, double time_step) {
-    const double left = static_cast<double>(list.size()) - static_cast<double>(p);
-    const block real = (left - block::LinSpaced(0, lane_count - 1)).max(0.0).min(1.0);
-    work_[c].damping += time_step * f.damping_power * real;
-    work_[c].friction += time_step * f.friction_power * real;
-  }
-
   scalar_table<memory> memory_;
   std::vector<double> gap_, force_x_, force_y_, force_z_;
   std::vector<double> torque_x_, torque_y_, torque_z_;  // empty without friction
-  contact_work_sums work_;
+  work_sums_of<Material> work_;
   std::vector<pair_findings> findings_;
 };
 

@@ -48,8 +48,8 @@ consteval bool is_friction_law() {
   constexpr bool forgets = requires(const L law, const slip<double> s, const double n) { law.traction(s, n); };
   constexpr bool remembers =
       requires(const L law, const slip<double> s, const double n, contact_memory_t<L, double>& memory) {
-        law.traction(s, n, memory);
-      };
+    law.traction(s, n, memory);
+  };
   if constexpr (!std::copyable<L>) {
     static_assert(detail::never<L>, "a friction law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");

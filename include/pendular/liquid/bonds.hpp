@@ -38,7 +38,13 @@ class bonds {
 
   /// Energy set free by forming, breaking and refilling bridges since the start, J; 0 for a law without energy.
   double work() const { return work_; }
-  void restart_work(double work) { work_ = work; }
+
+  /// Puts back a bridge as a checkpoint had it.
+  void restore(std::size_t p, double volume, const pair_view& view) {
+    ledger_.restore(ledger::bond_of(p), volume);
+    refresh(p, view);
+  }
+  void restore_work(double work) { work_ = work; }
 
   /// Pull of a block of pairs, N, zero for pairs without a bridge and beyond rupture.
   block attraction(std::size_t first_pair, const block& gap) const {

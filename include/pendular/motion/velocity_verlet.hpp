@@ -14,6 +14,8 @@ namespace pendular {
 /// grains of very different size (Vyas et al. 2025); the stable step under strong damping is about half as long.
 /// Source: Allen and Tildesley, Computer Simulation of Liquids (1987), section 3.2.
 struct velocity_verlet {
+  static constexpr double velocity_lag = 0;  // steps by which the velocities the forces see are older than the positions
+
   double time_step;          // s
   vector gravity{0, 0, 0};   // m/s2
 
@@ -28,10 +30,8 @@ struct velocity_verlet {
     velocity += (0.5 * time_step) * (now - before);
   }
 
-  /// Largest stable step, s, of a mode of angular frequency omega, rad/s, damped with the ratio zeta of critical.
-  static double stable_step(double omega, double zeta) {
-    return 2.0 / omega * (std::sqrt(4.0 * zeta * zeta + 1.0) - 2.0 * zeta);
-  }
+  /// Largest stable step, s, of x'' = -omega2 x - rate x' with omega2 in 1/s2 and rate in 1/s.
+  static double stable_step(double omega2, double rate) { return 2.0 / (std::sqrt(rate * rate + omega2) + rate); }
 };
 
 /// Velocity Verlet whose dissipative forces see the velocity of half a step ago, as most DEM codes have it: first order
@@ -39,6 +39,8 @@ struct velocity_verlet {
 /// `velocity_verlet` under strong damping.
 /// Source: Allen and Tildesley, Computer Simulation of Liquids (1987), section 3.2.
 struct half_step_velocity_verlet {
+  static constexpr double velocity_lag = 0.5;  // steps
+
   double time_step;          // s
   vector gravity{0, 0, 0};   // m/s2
 
@@ -52,8 +54,10 @@ struct half_step_velocity_verlet {
     velocity += (0.5 * time_step) * now;
   }
 
-  static double stable_step(double omega, double zeta) {
-    return 2.0 / omega * (std::sqrt(zeta * zeta + 1.0) - zeta);
+  /// Largest stable step, s, of x'' = -omega2 x - rate x' with omega2 in 1/s2 and rate in 1/s.
+  static double stable_step(double omega2, double rate) {
+    const double half = 0.5 * rate;
+    return 2.0 / (std::sqrt(half * half + omega2) + half);
   }
 };
 
@@ -78,6 +82,7 @@ concept Integrator = std::copyable<I> && requires(const I integrator, vector& ch
   integrator.predict_spin(changed, a);
   integrator.correct(changed, a, a);
   { I::stable_step(1.0, 1.0) } -> std::convertible_to<double>;
+  { I::velocity_lag } -> std::convertible_to<double>;
 };
 
 }  // namespace pendular

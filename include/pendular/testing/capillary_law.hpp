@@ -23,14 +23,13 @@ inline bridge<double> at_gap(bridge<double> b, double gap) {
 
 /// The pull of a law in either of its two forms.
 template <class Law, class T>
-  requires detail::Pulls<Law, T>
-T pull(const Law& law, const bridge<T>& b, const fluid& f) {
-  if constexpr (pendular::detail::Attracts<Law, T>) {
-    return law.attraction(b, f);
-  } else {
-    return law.attraction(b.gap, law.prepare(b, f));
+  requires detail::Pulls<Law, T> T pull(const Law& law, const bridge<T>& b, const fluid& f) {
+    if constexpr (pendular::detail::Attracts<Law, T>) {
+      return law.attraction(b, f);
+    } else {
+      return law.attraction(b.gap, law.prepare(b, f));
+    }
   }
-}
 
 namespace detail {
 template <CapillaryLaw Law>

@@ -14,21 +14,22 @@ namespace detail {
 template <class L, class T>
 concept Rubs = requires(const L law, const slip<T> s, const T normal_force) {
   { law.traction(s, normal_force) } -> std::convertible_to<Vec3<T>>;
-} || requires(const L law, const slip<T> s, const T normal_force, contact_memory_t<L, T>& memory) {
+}
+|| requires(const L law, const slip<T> s, const T normal_force, contact_memory_t<L, T>& memory) {
   { law.traction(s, normal_force, memory) } -> std::convertible_to<Vec3<T>>;
 };
 }  // namespace detail
 
 /// The traction of a law with or without memory; the memory of the second kind is empty.
 template <class Law, class T>
-  requires detail::Rubs<Law, T>
-Vec3<T> traction(const Law& law, const slip<T>& s, const T& normal_force, contact_memory_t<Law, T>& memory) {
-  if constexpr (pendular::detail::Remembers<Law, T>) {
-    return law.traction(s, normal_force, memory);
-  } else {
-    return law.traction(s, normal_force);
+  requires detail::Rubs<Law, T> Vec3<T> traction(const Law& law, const slip<T>& s, const T& normal_force,
+                                                 contact_memory_t<Law, T>& memory) {
+    if constexpr (pendular::detail::Remembers<Law, T>) {
+      return law.traction(s, normal_force, memory);
+    } else {
+      return law.traction(s, normal_force);
+    }
   }
-}
 
 namespace detail {
 template <class T, class Law>
@@ -106,7 +107,8 @@ report friction_law_report(const Law& law, double friction_coefficient) {
   }
   detail::demand_friction_in<float>(broken, law, "the traction must be the same in float");
   detail::demand_friction_in<lanes<8>>(broken, law, "the traction must be the same in lanes of double");
-  detail::demand_friction_in<Eigen::Array<float, 16, 1>>(broken, law, "the traction must be the same in lanes of float");
+  detail::demand_friction_in<Eigen::Array<float, 16, 1>>(broken, law,
+                                                         "the traction must be the same in lanes of float");
   detail::demand_friction_in<dual>(broken, law, "the traction must be the same under automatic differentiation");
   return broken;
 }

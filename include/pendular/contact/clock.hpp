@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace pendular {
+
+/// What the evaluation of contacts needs to know of the integrator and of its limits.
+struct contact_clock {
+  double time_step;      // s
+  double velocity_lag;   // steps by which the velocities are older than the positions
+  double overlap_limit;  // fraction of the smaller radius
+};
+
+}  // namespace pendular

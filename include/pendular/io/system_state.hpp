@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/fields.hpp>
+#include <pendular/core/vec.hpp>
+#include <pendular/io/checkpoint.hpp>
+#include <pendular/liquid/ledger.hpp>
+#include <pendular/space/grains.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pendular::io {
+
+namespace detail {
+
+template <class System>
+std::string composition() {
+  return __PRETTY_FUNCTION__;
+}
+
+/// Rows of a column in the order of the grains' ids, as plain numbers.
+template <class Column, class Grains>
+std::vector<double> by_id(const Grains& g) {
+  std::vector<double> flat;
+  for (const std::size_t row : g.rows_by_id()) {
+    for_each_scalar<double>(g.template get<Column>()[row], [&](const double& v) { flat.push_back(v); });
+  }
+  return flat;
+}
+
+template <class Column, class Grains>
+void fill(Grains& g, const std::vector<double>& flat) {
+  std::size_t k = 0;
+  for (auto& row : g.template get<Column>()) {
+    for_each_scalar<double>(row, [&](double& v) { v = flat.at(k++); });
+  }
+}
+
+/// visit("name", column tag) for every column that a checkpoint keeps as numbers.
+template <class Grains, class Visit>
+void for_each_column(const Visit& visit) {
+  visit("grain.position", column::position{});
+  visit("grain.velocity", column::velocity{});
+  visit("grain.force", column::force{});
+  visit("grain.radius", column::radius{});
+  visit("grain.inverse_mass", column::inverse_mass{});
+  if constexpr (Grains::rotate) {
+    visit("grain.angular_velocity", column::angular_velocity{});
+    visit("grain.torque", column::torque{});
+    visit("grain.inverse_inertia", column::inverse_inertia{});
+  }
+  if constexpr (Grains::count_contacts) visit("grain.contacts", column::contacts{});
+}
+
+/// Contact memories that are not all zero: key (one id, or two), then the numbers.
+template <class Table, class KeyOf>
+void put_memories(checkpoint_writer& out, const std::string& name, const Table& table, std::size_t rows,
+                  const KeyOf& key_of) {
+  std::vector<std::int64_t> keys;
+  std::vector<double> values;
+  for (std::size_t p = 0; p < rows; ++p) {
+    bool any = false;
+    for (std::size_t k = 0; k < Table::width; ++k) any |= table.column(k)[p] != 0;
+    if (!any) continue;
+    key_of(p, keys);
+    for (std::size_t k = 0; k < Table::width; ++k) values.push_back(table.column(k)[p]);
+  }
+  out.put(name + ".keys", keys);
+  out.put(name + ".values", values);
+}
+
+template <class Table, class RowOf>
+void get_memories(const checkpoint_reader& in, const std::string& name, Table& table, std::size_t ids_per_key,
+                  const RowOf& row_of) {
+  const auto keys = in.get<std::vector<std::int64_t>>(name + ".keys");
+  const auto values = in.get<std::vector<double>>(name + ".values");
+  for (std::size_t n = 0; n * ids_per_key < keys.size(); ++n) {
+    const std::size_t row = row_of(keys.data() + n * ids_per_key);
+    for (std::size_t k = 0; k < Table::width; ++k) table.column(k)[row] = values.at(n * Table::width + k);
+  }
+}
+
+template <class System>
+void put_liquid(checkpoint_writer& out, const System& s) {
+  const auto& book = s.bridges().book();
+  const auto view = s.view();
+  std::vector<std::int64_t> keys;
+  std::vector<double> volumes, films;
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    if (!s.bridges().is_bonded(p)) continue;
+    keys.insert(keys.end(), {view.id[view.grain_i(p)], view.id[view.grain_j(p)]});
+    volumes.push_back(book.bonds()[p]);
+  }
+  for (const std::size_t row : s.particles().rows_by_id()) films.push_back(book.films()[row]);
+  const auto books = book.keep();
+  out.put("liquid.keys", keys);
+  out.put("liquid.volumes", volumes);
+  out.put("liquid.films", films);
+  out.put("liquid.books", std::vector<double>{books.reservoir, books.residue, books.introduced, s.bridges().work()});
+  out.put("liquid.reach", s.bridges().reach(view));
+  out.put("liquid.selection", std::vector<double>{s.selection().thinning});
+  out.put("liquid.seed", s.selection().seed);
+  out.put("liquid.events", std::vector<std::int64_t>{s.events().ruptures, s.events().formations});
+}
+
+template <class System>
+std::size_t pair_of(const System& s, const std::vector<std::size_t>& rows, const std::int64_t* key) {
+  const auto view = s.view();
+  for (const auto& incidence : s.pairs().pairs_of(rows.at(static_cast<std::size_t>(key[0])))) {
+    const auto p = static_cast<std::size_t>(incidence.pair);
+    if (incidence.sign > 0 && view.id[view.grain_j(p)] == key[1]) return p;
+  }
+  throw std::runtime_error("the checkpoint has a contact of grains " + std::to_string(key[0]) + " and " +
+                           std::to_string(key[1]) + " that are not neighbours: it was written by another scene");
+}
+
+template <class System>
+void get_liquid(const checkpoint_reader& in, System& s, const std::vector<std::size_t>& rows) {
+  const auto keys = in.get<std::vector<std::int64_t>>("liquid.keys");
+  const auto volumes = in.get<std::vector<double>>("liquid.volumes");
+  const auto view = s.view();
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    s.bridges().restore(pair_of(s, rows, keys.data() + 2 * n), volumes[n], view);
+  }
+  const auto books = in.get<std::vector<double>>("liquid.books");
+  s.bridges().book().restore(ledger::books{books.at(0), books.at(1), books.at(2)});
+  s.bridges().restore_work(books.at(3));
+}
+
+}  // namespace detail
+
+/// Writes the whole state of a system; call System::canonicalise() first, so that the run that goes on and the run that
+/// is resumed take the same steps to the last bit.
+template <class System>
+void save(checkpoint_writer& out, const System& s) {
+  const auto& g = s.particles();
+  const auto view = s.view();
+  out.put("system.composition", std::string_view{detail::composition<System>()});
+  out.put("system.steps", s.step_count());
+  out.put("system.grains", static_cast<std::uint64_t>(g.size()));
+  detail::for_each_column<typename System::grains_type>(
+      [&](const std::string& name, auto column) { out.put(name, detail::by_id<decltype(column)>(g)); });
+  const auto pair_key = [&](std::size_t p, std::vector<std::int64_t>& keys) {
+    keys.insert(keys.end(), {view.id[view.grain_i(p)], view.id[view.grain_j(p)]});
+  };
+  detail::put_memories(out, "pair.memory", s.contacts().memories(), view.pairs, pair_key);
+  if constexpr (System::material_type::keeps_energy_book) {
+    detail::put_memories(out, "pair.last_force", s.contacts().work().last_forces(), view.pairs, pair_key);
+  }
+  const auto work = s.contacts().work().total();
+  out.put("pair.work", std::vector<double>{work.damping, work.friction});
+  if constexpr (System::wet) detail::put_liquid(out, s);
+  std::size_t index = 0;
+  s.for_each_wall([&](const auto& wall, const auto& contacts) {
+    const std::string name = "wall." + std::to_string(index++);
+    std::vector<double> state;
+    const auto keep = [&](const double& v) { state.push_back(v); };
+    for_each_scalar<double>(wall.shape, keep);
+    for_each_scalar<double>(wall.drive, keep);
+    for_each_scalar<double>(wall.force, keep);
+    const auto done = contacts.work().total();
+    state.insert(state.end(), {wall.work, done.damping, done.friction});
+    out.put(name, state);
+    const auto key = [&](std::size_t k, std::vector<std::int64_t>& keys) { keys.push_back(view.id[contacts.row(k)]); };
+    detail::put_memories(out, name + ".memory", contacts.memories(), contacts.size(), key);
+    if constexpr (requires { contacts.work().last_forces(); }) {
+      detail::put_memories(out, name + ".last_force", contacts.work().last_forces(), contacts.size(), key);
+    }
+  });
+}
+
+/// Puts the state back into a system of the same composition that has no grains yet.
+/// Errors: std::runtime_error for a checkpoint of another composition.
+template <class System>
+void load(const checkpoint_reader& in, System& s) {
+  if (in.get<std::string>("system.composition") != detail::composition<System>()) {
+    throw std::runtime_error("the checkpoint was written by a scene of other laws, protocol or walls: resume with the "
+                             "options it was started with");
+  }
+  auto& g = s.particles();
+  const auto count = static_cast<std::size_t>(in.get<std::uint64_t>("system.grains"));
+  g.resize(count);
+  detail::for_each_column<typename System::grains_type>([&](const std::string& name, auto column) {
+    detail::fill<decltype(column)>(g, in.get<std::vector<double>>(name));
+  });
+  const auto ids = g.template get<column::id>();
+  for (std::size_t k = 0; k < count; ++k) ids[k] = static_cast<std::int64_t>(k);
+  std::size_t index = 0;
+  s.for_each_wall([&](auto& wall, auto& contacts) {
+    const auto state = in.get<std::vector<double>>("wall." + std::to_string(index++));
+    std::size_t k = 0;
+    const auto restore = [&](double& v) { v = state.at(k++); };
+    for_each_scalar<double>(wall.shape, restore);
+    for_each_scalar<double>(wall.drive, restore);
+    for_each_scalar<double>(wall.force, restore);
+    wall.work = state.at(k);
+    contacts.work().restore({state.at(k + 1), state.at(k + 2)});
+  });
+  const auto work = in.get<std::vector<double>>("pair.work");
+  s.contacts().work().restore({work.at(0), work.at(1)});
+  if constexpr (System::wet) {
+    auto& book = s.bridges().book();
+    book.resize_films(count);
+    const auto films = in.get<std::vector<double>>("liquid.films");
+    for (std::size_t k = 0; k < count; ++k) book.restore(ledger::film_of(k), films.at(k));
+    const auto events = in.get<std::vector<std::int64_t>>("liquid.events");
+    s.resume_at(in.get<std::int64_t>("system.steps"),
+                {in.get<std::vector<double>>("liquid.selection").at(0), in.get<std::uint64_t>("liquid.seed")},
+                {events.at(0), events.at(1)});
+    s.canonicalise(in.get<double>("liquid.reach"));
+  } else {
+    s.resume_at(in.get<std::int64_t>("system.steps"), {}, {});
+    s.canonicalise();
+  }
+  const auto rows = g.rows_by_id();
+  if constexpr (System::wet) detail::get_liquid(in, s, rows);
+  const auto pair_row = [&](const std::int64_t* key) { return detail::pair_of(s, rows, key); };
+  detail::get_memories(in, "pair.memory", s.contacts().memories(), 2, pair_row);
+  if constexpr (System::material_type::keeps_energy_book) {
+    detail::get_memories(in, "pair.last_force", s.contacts().work().last_forces(), 2, pair_row);
+  }
+  index = 0;
+  s.for_each_wall([&](auto&, auto& contacts) {
+    std::vector<std::size_t> place(count, count);
+    for (std::size_t k = 0; k < contacts.size(); ++k) place[contacts.row(k)] = k;
+    const std::string name = "wall." + std::to_string(index++);
+    const auto row = [&](const std::int64_t* key) { return place.at(rows.at(static_cast<std::size_t>(*key))); };
+    detail::get_memories(in, name + ".memory", contacts.memories(), 1, row);
+    if constexpr (requires { contacts.work().last_forces(); }) {
+      detail::get_memories(in, name + ".last_force", contacts.work().last_forces(), 1, row);
+    }
+  });
+}
+
+}  // namespace pendular::io

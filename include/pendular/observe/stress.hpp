@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/vec.hpp>
+#include <pendular/space/grains.hpp>
+
+#include <Eigen/Core>
+#include <range/v3/numeric/accumulate.hpp>
+#include <range/v3/view/iota.hpp>
+#include <range/v3/view/transform.hpp>
+
+#include <cstddef>
+
+namespace pendular::observe {
+
+/// Love-Weber stress, Pa, compression positive: (1/V) sum of force times branch over all pairs, bridges across a gap
+/// included. Static part only. Valid for a volume, m3, that holds all grains.
+/// Source: A. E. H. Love, Treatise on the Mathematical Theory of Elasticity (1927), p. 618; Richefeu et al. 2006, Eq. 9.
+template <class System>
+Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
+  const auto view = s.view();
+  const auto moment = [&](std::size_t p) -> Eigen::Matrix3d {
+    const vector branch = view.position[view.grain_j(p)] - view.position[view.grain_i(p)];
+    // The force on grain i points along -branch in compression.
+    return -as_eigen(s.contacts().force(p)) * as_eigen(branch).transpose();
+  };
+  const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d sum =
+      ::ranges::accumulate(::ranges::views::iota(std::size_t{0}, view.pairs) | ::ranges::views::transform(moment), zero,
+                           [](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) -> Eigen::Matrix3d { return a + b; });
+  return sum / volume;
+}
+
+/// Mean force sum on a grain over the mean size of the pair forces: how far the packing is from equilibrium.
+template <class System>
+double unbalanced_force_ratio(const System& s) {
+  const auto view = s.view();
+  const auto force = s.particles().template get<column::force>();
+  const auto inverse_mass = s.particles().template get<column::inverse_mass>();
+  double pair_sum = 0;
+  std::size_t acting = 0;
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    const double size = norm(s.contacts().force(p));
+    pair_sum += size;
+    acting += size > 0 ? 1 : 0;
+  }
+  double net = 0;
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    net += norm(force[k] + (1 / inverse_mass[k]) * s.integrator().gravity);
+  }
+  if (acting == 0) return 0;
+  return net / static_cast<double>(force.size()) / (pair_sum / static_cast<double>(acting));
+}
+
+}  // namespace pendular::observe

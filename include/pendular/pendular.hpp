@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Everything, for the impatient. Library headers never include this one.
+#include <pendular/boundary/cylinder.hpp>
+#include <pendular/law/all.hpp>
+#include <pendular/law/check.hpp>
+#include <pendular/liquid/protocol/all.hpp>
+#include <pendular/observe/coordination.hpp>
+#include <pendular/observe/energy.hpp>
+#include <pendular/observe/stress.hpp>
+#include <pendular/scene/simple_compression.hpp>
+#include <pendular/system.hpp>
+#include <pendular/version.hpp>

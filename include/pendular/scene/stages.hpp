@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/io/checkpoint.hpp>
+#include <pendular/io/system_state.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace pendular::scene {
+
+/// How a scene reports to whoever runs it.
+struct monitor {
+  /// Stage, steps done and steps in all, one line of news.
+  std::function<void(const std::string& stage, std::int64_t done, std::int64_t total, const std::string& news)> progress;
+  std::filesystem::path checkpoint;          // none is written where this is empty
+  std::int64_t checkpoint_interval = 50000;  // steps
+};
+
+/// Runs one stage in slices, from `done` steps to `total`: after every slice `look` is called, and after every
+/// checkpoint interval the list is made anew and `save` is called. Both happen at fixed step numbers, so a resumed run
+/// does the same as one that was never stopped.
+template <class System, class Look, class Save>
+void run_stage(System& s, const std::string& name, std::int64_t& done, std::int64_t total, std::int64_t slice,
+               const monitor& watch, const Look& look, const Save& save) {
+  const std::int64_t every = std::max<std::int64_t>(1, watch.checkpoint_interval / slice) * slice;
+  while (done < total) {
+    const std::int64_t steps = std::min(slice, total - done);
+    s.run(steps);
+    done += steps;
+    const std::string news = look();
+    if (watch.progress) watch.progress(name, done, total, news);
+    if (!watch.checkpoint.empty() && done % every == 0 && done < total) {
+      s.canonicalise();
+      save();
+    }
+  }
+}
+
+}  // namespace pendular::scene

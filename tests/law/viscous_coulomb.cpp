@@ -185,6 +185,50 @@ TEST_CASE("beyond its stability limit the explicit form alternates and grows; th
   CHECK(std::abs(calm.velocity) < 1e-20);
 }
 
+TEST_CASE("a stiff contact comes to rest without ringing, even when its mass is overestimated twofold") {
+  // The law promises a critically damped stiffest mode and half of its stability limit in reserve.
+  for (const double share_of_mass : {1.0, 0.5}) {
+    const friction::viscous_coulomb law{1e9, 0.4};
+    friction::viscous_coulomb::contact_memory<double> memory{};
+    double velocity = 1e-9;
+    int turns = 0;
+    for (int k = 0; k < 400; ++k) {
+      const slip<double> s{{velocity, 0, 0}, {0, 0, 1}, mass, 1, 1e-6};
+      const double before = velocity;
+      velocity += 1e-6 / (share_of_mass * mass) * law.traction(s, 1.0, memory).x;
+      if (std::abs(velocity) > 1e-15 && velocity * before < 0) ++turns;
+    }
+    CAPTURE(share_of_mass);
+    CHECK(turns <= 1);
+    CHECK(std::abs(velocity) < 1e-15);
+  }
+}
+
+TEST_CASE("a grain on many stiff contacts comes to rest") {
+  for (const int contacts : {1, 2, 6, 12}) {
+    const friction::viscous_coulomb law{1e3, 0.4};
+    friction::viscous_coulomb::contact_memory<double> memory{};  // the same for all, since all slip alike
+    double velocity = 1e-9;
+    for (int k = 0; k < 1000; ++k) {
+      const slip<double> s{{velocity, 0, 0}, {0, 0, 1}, mass, double(contacts), 1e-6};
+      velocity += 1e-6 / mass * contacts * law.traction(s, 1.0, memory).x;
+    }
+    CAPTURE(contacts);
+    CHECK(std::abs(velocity) < 1e-12);
+  }
+}
+
+TEST_CASE("a contact that slid for long turns back at once") {
+  const friction::viscous_coulomb law{10.0, 0.4};
+  friction::viscous_coulomb::contact_memory<double> memory{};
+  const auto traction = [&](double velocity) {
+    return law.traction(slip<double>{{velocity, 0, 0}, {0, 0, 1}, mass, 1, 1e-6}, 1e-3, memory).x;
+  };
+  for (int k = 0; k < 10000; ++k) REQUIRE(traction(0.1) == within(1e-12, -4e-4));
+  CHECK(norm(memory.elastic_force) <= 4e-4 * (1 + 1e-14));
+  CHECK(traction(-0.1) == within(1e-12, 4e-4));
+}
+
 TEST_CASE("the explicit form beyond its limit is held by the cone only") {
   block published{friction::viscous_coulomb_explicit{1.0, 0.4}, mass, 1e-3, 1e-6, 1e-6};
   double highest = 0;

@@ -3,6 +3,7 @@
 // expect 2: a friction law needs `template <Scalar T> Vec3<T> traction(const slip<T>&, const T& normal_force) const`
 // expect 3: traction must return a Vec3 of the scalar type of its slip
 // expect 4: with a third argument `contact_memory<T>&`, a nested template, if it remembers
+// expect 5: with a third argument `contact_memory<T>&`, a nested template, if it remembers
 #include <pendular/law/check.hpp>
 
 using namespace pendular;
@@ -11,7 +12,12 @@ struct my_law {
 #if PENDULAR_MISTAKE == 1
   my_law(const my_law&) = delete;
 #endif
-#if PENDULAR_MISTAKE == 4
+#if PENDULAR_MISTAKE == 5
+  template <Scalar T, class Memory>
+  Vec3<T> traction(const slip<T>& s, const T&, Memory&) const {
+    return -s.velocity;
+  }
+#elif PENDULAR_MISTAKE == 4
   template <class T>
   struct memory_of_contact {
     Vec3<T> force;

@@ -48,6 +48,7 @@ consteval bool is_friction_law() {
   constexpr bool forgets = requires(const L law, const slip<double> s, const double n) { law.traction(s, n); };
   constexpr bool remembers =
       requires(const L law, const slip<double> s, const double n, contact_memory_t<L, double>& memory) {
+    requires pendular::detail::Remembers<L, double>;
     law.traction(s, n, memory);
   };
   if constexpr (!std::copyable<L>) {

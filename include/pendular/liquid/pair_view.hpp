@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace pendular {
 
@@ -22,6 +23,8 @@ struct pair_view {
 
   std::size_t grain_i(std::size_t p) const { return static_cast<std::size_t>(first[p]); }
   std::size_t grain_j(std::size_t p) const { return static_cast<std::size_t>(second[p]); }
+
+  std::pair<std::int64_t, std::int64_t> ids(std::size_t p) const { return {id[grain_i(p)], id[grain_j(p)]}; }
 
   double gap(std::size_t p) const {
     const vector d = position[grain_j(p)] - position[grain_i(p)];

@@ -68,10 +68,11 @@ bool makes_bond(const bonds<Liquid>& b, std::size_t p, double volume, double gap
   return gap < formation.reach(b.policies().rupture_distance(view.bridge_of(p, gap, volume)));
 }
 
-/// Pulls sorted by pair, carried out pair by pair.
+/// Pulls sorted by the ids of pair and grain, carried out pair by pair.
 template <class Liquid>
 std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_view& view, std::span<const double> gap) {
-  std::stable_sort(pulls.begin(), pulls.end(), [](const pull& a, const pull& c) { return a.pair < c.pair; });
+  const auto key = [&](const pull& a) { return std::pair{view.ids(a.pair), view.id[a.grain]}; };
+  std::sort(pulls.begin(), pulls.end(), [&](const pull& a, const pull& c) { return key(a) < key(c); });
   std::int64_t formed = 0;
   for (std::size_t k = 0; k < pulls.size();) {
     std::size_t end = k;
@@ -98,12 +99,15 @@ template <class Liquid, class PairsOf>
 bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap, const PairsOf& pairs_of) {
   bond_events events;
   std::vector<std::size_t> touched;  // grains whose film changes
+  std::vector<std::size_t> broken;
   for (std::size_t p = 0; p < view.pairs; ++p) {
-    const bool breaking = b.breaks(p, gap[p]);
-    if (breaking) detail::break_bond(b, p, gap[p], view);
-    if (breaking || b.forms(p, gap[p])) touched.insert(touched.end(), {view.grain_i(p), view.grain_j(p)});
-    events.ruptures += breaking ? 1 : 0;
+    if (b.breaks(p, gap[p])) broken.push_back(p);
+    if (b.breaks(p, gap[p]) || b.forms(p, gap[p])) touched.insert(touched.end(), {view.grain_i(p), view.grain_j(p)});
   }
+  std::sort(broken.begin(), broken.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
+  for (const std::size_t p : broken) detail::break_bond(b, p, gap[p], view);
+  for (const std::size_t p : broken) b.refresh(p, view);  // all of them see the films as they are after the last rupture
+  events.ruptures = static_cast<std::int64_t>(broken.size());
   if constexpr (Liquid::redistributes_locally) {
     std::vector<detail::pull> pulls;
     for (std::size_t grain = 0; grain < view.radius.size(); ++grain) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <pendular/law/concepts.hpp>
+#include <pendular/observe/indices.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <range/v3/numeric/accumulate.hpp>
-#include <range/v3/view/iota.hpp>
 #include <range/v3/view/transform.hpp>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct energies {
 namespace detail {
 template <class Term>
 double sum(std::size_t count, const Term& term) {
-  return ::ranges::accumulate(::ranges::views::iota(std::size_t{0}, count) | ::ranges::views::transform(term), 0.0);
+  return ::ranges::accumulate(indices(count) | ::ranges::views::transform(term), 0.0);
 }
 
 template <class System>

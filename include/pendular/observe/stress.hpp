@@ -2,11 +2,11 @@
 #pragma once
 
 #include <pendular/core/vec.hpp>
+#include <pendular/observe/indices.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <Eigen/Core>
 #include <range/v3/numeric/accumulate.hpp>
-#include <range/v3/view/iota.hpp>
 #include <range/v3/view/transform.hpp>
 
 #include <cstddef>
@@ -26,7 +26,7 @@ Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
   };
   const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
   const Eigen::Matrix3d sum =
-      ::ranges::accumulate(::ranges::views::iota(std::size_t{0}, view.pairs) | ::ranges::views::transform(moment), zero,
+      ::ranges::accumulate(indices(view.pairs) | ::ranges::views::transform(moment), zero,
                            [](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) -> Eigen::Matrix3d { return a + b; });
   return sum / volume;
 }

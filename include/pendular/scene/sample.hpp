@@ -7,9 +7,9 @@
 #include <range/v3/algorithm/sort.hpp>
 #include <range/v3/numeric/accumulate.hpp>
 #include <range/v3/range/conversion.hpp>
-#include <range/v3/view/iota.hpp>
 #include <range/v3/view/take.hpp>
 #include <range/v3/view/transform.hpp>
+#include <range/v3/view/zip_with.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,8 @@ template <class Grains>
 std::vector<double> tops(const Grains& g) {
   const auto position = g.template get<column::position>();
   const auto radius = g.template get<column::radius>();
-  auto heights = ::ranges::views::iota(std::size_t{0}, g.size()) |
-                 ::ranges::views::transform([&](std::size_t k) { return position[k].z + radius[k]; }) |
-                 ::ranges::to<std::vector<double>>();
+  const auto top = [](const vector& x, double r) { return x.z + r; };
+  auto heights = ::ranges::views::zip_with(top, position, radius) | ::ranges::to<std::vector<double>>();
   ::ranges::sort(heights, std::greater<>{});
   return heights;
 }

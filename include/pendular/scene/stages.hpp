@@ -18,7 +18,10 @@ struct monitor {
   std::function<void(const std::string& stage, std::int64_t done, std::int64_t total, const std::string& news)> progress;
   std::filesystem::path checkpoint;          // none is written where this is empty
   std::int64_t checkpoint_interval = 50000;  // steps
+  std::string label;                         // kept in the checkpoint, for whoever resumes
 };
+
+inline std::string millimetres(double length) { return std::to_string(length * 1e3).substr(0, 6) + " mm"; }
 
 /// Runs one stage in slices, from `done` steps to `total`: after every slice `look` is called, and after every
 /// checkpoint interval the list is made anew and `save` is called. Both happen at fixed step numbers, so a resumed run

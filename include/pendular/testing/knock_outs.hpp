@@ -74,6 +74,12 @@ struct memory_not_declared {
   };
   Vec3<double> traction(const slip<double>&, double, history& memory) const { return memory.force; }
 };
+struct memory_of_any_type {
+  template <class Memory>
+  Vec3<double> traction(const slip<double>& s, double, Memory&) const {
+    return -s.velocity;
+  }
+};
 struct memory_not_a_template {
   struct contact_memory {
     Vec3<double> force;
@@ -186,7 +192,8 @@ inline constexpr auto damping_laws =
 inline constexpr auto friction_laws =
     boost::hana::tuple_t<friction::not_copyable, friction::without_traction, friction::not_const,
                          friction::without_normal_force, friction::returns_a_length, friction::memory_not_declared,
-                         friction::memory_not_a_template, friction::memory_of_another_type>;
+                         friction::memory_of_any_type, friction::memory_not_a_template,
+                         friction::memory_of_another_type>;
 inline constexpr auto capillary_laws =
     boost::hana::tuple_t<capillary::not_copyable, capillary::without_attraction, capillary::not_const,
                          capillary::without_fluid, capillary::returns_nothing, capillary::prepared_not_copyable,

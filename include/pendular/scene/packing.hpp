@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/boundary/cylinder.hpp>
+#include <pendular/law/damping/viscous.hpp>
+#include <pendular/law/normal/linear.hpp>
+#include <pendular/scene/grading.hpp>
+#include <pendular/scene/placement.hpp>
+#include <pendular/scene/sample.hpp>
+#include <pendular/scene/stages.hpp>
+#include <pendular/system.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace pendular::scene {
+
+/// A cylindrical sample as Richefeu et al. 2007, section 4.2.1, prepare it; what the paper leaves out is from
+/// Richefeu et al. 2006 or our choice (docs/reference/scenes.md).
+struct packing_parameters {
+  std::int64_t grains = 8000;
+  double cylinder_radius = 12.5e-3;  // m
+  grading sizes = compression_grading();
+  double density = 2700;             // of the grains, kg/m3
+  double gravity = 9.81;             // m/s2
+  double lid_stress = 300;           // that seals the sample, Pa
+  double deposition = 0.2;           // s
+  double sealing = 0.2;              // s
+  double time_step = 4e-6;           // s
+  std::uint64_t seed = 1;
+  bool force = false;                // run even if the scene breaks a limit
+
+  double area() const { return std::numbers::pi * cylinder_radius * cylinder_radius; }
+};
+
+inline void validate(const packing_parameters& p) {
+  constexpr auto page = "docs/reference/scenes.md";
+  const auto positive = [&](const char* what, double value) {
+    expects(value > 0 && std::isfinite(value), what, value, "positive and finite", page);
+  };
+  positive("the number of grains", static_cast<double>(p.grains));
+  positive("the radius of the cylinder (m)", p.cylinder_radius);
+  positive("the density of the grains (kg/m3)", p.density);
+  positive("the gravity (m/s2)", p.gravity);
+  positive("the stress of the lid (Pa)", p.lid_stress);
+  positive("the duration of the deposition (s)", p.deposition);
+  positive("the duration of the sealing (s)", p.sealing);
+  positive("the time step (s)", p.time_step);
+}
+
+/// Grains at rest between floor, cylinder and lid, in the order of their ids.
+struct sealed_packing {
+  std::vector<grain> grains;
+  double height = 0;          // of the lid, m
+  double solid_fraction = 0;
+  double solid_mass = 0;      // kg
+};
+
+/// Deposits grains under gravity in a cylinder and seals them by a loaded lid. All walls are without friction; the
+/// grains' own material may have some, which makes the sample looser.
+template <class Material>
+class packing {
+ public:
+  using smooth = material<normal::linear, damping::viscous>;
+  using walls_type = boundary::walls<boundary::wall<boundary::plane, boundary::fixed, smooth>,
+                                     boundary::wall<boundary::cylinder, boundary::fixed, smooth>,
+                                     boundary::wall<boundary::plane, boundary::servo_stress, smooth>>;
+  using system_type = system<Material, dry, walls_type, half_step_velocity_verlet>;
+
+  packing(const packing_parameters& p, const Material& grains, const smooth& walls)
+      : parameters_(checked(p)), system_(grains, enclosure(p, walls), integrator(p), run_options{.force = p.force}) {}
+
+  /// From the start, or from where a checkpoint stopped. Errors: input_error, run_error.
+  sealed_packing run(const monitor& watch) {
+    if (system_.particles().size() == 0) fill();
+    const auto keep = [&] { save(watch); };
+    if (!sealing_) {
+      run_stage(system_, "deposit", done_, steps(parameters_.deposition), slice, watch,
+                [&] { return "height " + millimetres(top()); }, keep);
+      put_lid_on();
+    }
+    run_stage(system_, "seal", done_, steps(parameters_.sealing), slice, watch,
+              [&] { return "height " + millimetres(lid().shape.point.z); }, keep);
+    return sealed();
+  }
+
+  void resume(const io::checkpoint_reader& in) {
+    sealing_ = in.get<std::string>("scene.stage") == "seal";
+    done_ = in.get<std::int64_t>("scene.done");
+    io::load(in, system_);
+  }
+
+ private:
+  static constexpr double out_of_the_way = 10;  // height of a lid that is not used, m
+  static constexpr std::int64_t slice = 200;    // steps
+
+  static const packing_parameters& checked(const packing_parameters& p) {
+    validate(p);
+    return p;
+  }
+  static half_step_velocity_verlet integrator(const packing_parameters& p) {
+    return {p.time_step, {0, 0, -p.gravity}};
+  }
+  static walls_type enclosure(const packing_parameters& p, const smooth& m) {
+    using boundary::wall, boundary::plane, boundary::cylinder, boundary::fixed, boundary::servo_stress;
+    const double lid_mass = 2 * p.area(), lid_damping = 2000 * p.area();  // light, and near critical on a sample
+    return walls_type{wall(plane{{0, 0, 0}, {0, 0, 1}}, fixed{}, m),
+                      wall(cylinder{{0, 0, 0}, {0, 0, 1}, p.cylinder_radius}, fixed{}, m),
+                      wall(plane{{0, 0, out_of_the_way}, {0, 0, -1}}, servo_stress{0, p.area(), lid_mass, lid_damping}, m)};
+  }
+
+  void fill() {
+    const auto sizes = diameters(parameters_.sizes, parameters_.grains, parameters_.seed);
+    constexpr double fall_speed = 0.1;  // m/s
+    for (const grain& g :
+         loose_column(sizes, parameters_.density, parameters_.cylinder_radius, fall_speed, parameters_.seed)) {
+      system_.add(g);
+    }
+  }
+
+  void put_lid_on() {
+    lid().shape.point.z = top();
+    lid().drive.stress = parameters_.lid_stress;
+    system_.canonicalise();
+    system_.expect_limits();
+    sealing_ = true;
+    done_ = 0;
+  }
+
+  sealed_packing sealed() const {
+    sealed_packing p;
+    const auto& g = system_.particles();
+    for (const std::size_t row : g.rows_by_id()) {
+      p.grains.push_back(g[row]);
+      p.solid_mass += 1 / g.template get<column::inverse_mass>()[row];
+    }
+    p.height = boundary::get<2>(system_.walls()).shape.point.z;
+    p.solid_fraction = solid_volume(g) / (parameters_.area() * p.height);
+    return p;
+  }
+
+  void save(const monitor& watch) const {
+    io::checkpoint_writer out(watch.checkpoint);
+    out.put("scene.label", std::string_view{watch.label});
+    out.put("scene.stage", std::string_view{sealing_ ? "seal" : "deposit"});
+    out.put("scene.done", done_);
+    io::save(out, system_);
+    out.commit();
+  }
+
+  auto& lid() { return boundary::get<2>(system_.walls()); }
+  double top() const { return tops(system_.particles()).front(); }
+  std::int64_t steps(double duration) const { return std::llround(duration / parameters_.time_step); }
+
+  packing_parameters parameters_;
+  system_type system_;
+  bool sealing_ = false;
+  std::int64_t done_ = 0;
+};
+
+}  // namespace pendular::scene

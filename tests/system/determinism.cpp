@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What must not change a single bit: threads, the skin of the list, a liquid policy without liquid, a restart.
+#include "../physics/scenes.hpp"
+
+#include <pendular/io/checkpoint.hpp>
+#include <pendular/io/system_state.hpp>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+using namespace pendular;
+using namespace scenes;
+
+namespace {
+
+const vector gravity_down{0, 0, -9.81};
+const material rubbing{normal::linear{1e3}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}, energy_book{}};
+const material creeping{normal::linear{1e3}, damping::viscous{0.3}, friction::viscous_coulomb{1, 0.4}, energy_book{}};
+
+template <class Protocol>
+auto water_with(const Protocol& p) {
+  return liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, p};
+}
+
+/// A floor moving along x, a lid pressed down by a stress, four side walls.
+auto moving_cell(double side, double top) {
+  using boundary::plane;
+  using boundary::wall;
+  return boundary::walls{wall{plane{{0, 0, 0}, {1, 0, 0}}},
+                         wall{plane{{side, 0, 0}, {-1, 0, 0}}},
+                         wall{plane{{0, 0, 0}, {0, 1, 0}}},
+                         wall{plane{{0, side, 0}, {0, -1, 0}}},
+                         wall{plane{{0, 0, 0}, {0, 0, 1}}, boundary::constant_velocity{{0.05, 0, 0}}},
+                         wall{plane{{0, 0, top}, {0, 0, -1}}, boundary::servo_stress{50, side * side, 1e-5, 1e-3}}};
+}
+
+/// All that moves, in the order of ids.
+template <class System>
+std::vector<double> fingerprint(const System& s) {
+  std::vector<double> all;
+  const auto put = [&](const vector& v) { all.insert(all.end(), {v.x, v.y, v.z}); };
+  for (const std::size_t row : s.particles().rows_by_id()) {
+    put(s.particles().template get<column::position>()[row]);
+    put(s.particles().template get<column::velocity>()[row]);
+    put(s.particles().template get<column::force>()[row]);
+    if constexpr (System::grains_type::rotate) put(s.particles().template get<column::angular_velocity>()[row]);
+    if constexpr (System::wet) all.push_back(s.bridges().book().films()[row]);
+  }
+  if constexpr (System::wet) {
+    all.push_back(static_cast<double>(s.bridges().count()));
+    all.push_back(static_cast<double>(s.events().ruptures));
+    all.push_back(static_cast<double>(s.events().formations));
+  }
+  s.for_each_wall([&](const auto& wall, const auto&) { put(wall.force), put(wall.shape.point); });
+  return all;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+template <class Material, class Protocol, class Integration = velocity_verlet>
+auto wet_scene(const Material& m, const Protocol& p, double skin, int n = 6, double time_step = 5e-6) {
+  pendular::system s{m, water_with(p), moving_cell(1.2e-3 * n, 1.22e-3 * n), Integration{time_step, gravity_down},
+                     run_options{.skin = skin, .force = true}};
+  for (const grain& g : loose_lattice(n, n, n, 0.5e-3, 0.1, 1.2e-3, 0.2)) s.add(g);
+  return s;
+}
+
+template <class System>
+void wet_and_run(System& s, std::int64_t steps) {
+  s.run(1000);
+  s.distribute_liquid(1e-2 * 0.125e-9 * 400);
+  s.run(steps);
+}
+
+#ifdef _OPENMP
+struct threads {
+  int before = omp_get_max_threads();
+  explicit threads(int n) { omp_set_num_threads(n); }
+  ~threads() { omp_set_num_threads(before); }
+  threads(const threads&) = delete;
+  threads& operator=(const threads&) = delete;
+};
+#endif
+
+}  // namespace
+
+#ifdef _OPENMP
+TEST_CASE("one and two threads give the same bits, energy book included") {
+  const auto run = [](int count, const auto& m, const auto& protocol) {
+    const threads guard(count);
+    auto s = wet_scene(m, protocol, 0.2, 10);  // 1000 grains: more than one chunk of every kind
+    wet_and_run(s, 1000);
+    auto f = fingerprint(s);
+    f.push_back(observe::energies_of(s).balance());
+    CHECK(s.events().formations > 100);
+    return f;
+  };
+  CHECK(same_bits(run(1, rubbing, protocol::grain_films{}), run(2, rubbing, protocol::grain_films{})));
+  CHECK(same_bits(run(1, creeping, protocol::homogeneous{200}), run(2, creeping, protocol::homogeneous{200})));
+}
+#endif
+
+TEST_CASE("a list made anew at every step and one that lasts give the same bits") {
+  const auto check = [](const auto& m, const auto& protocol) {
+    auto tight = wet_scene(m, protocol, 1e-9), wide = wet_scene(m, protocol, 0.9), usual = wet_scene(m, protocol, 0.2);
+    wet_and_run(tight, 2000);
+    wet_and_run(usual, 2000);
+    wet_and_run(wide, 2000);
+    CHECK(tight.rebuild_count() > 2900);
+    CHECK(wide.rebuild_count() < 100);
+    CHECK(wide.events().formations > 100);
+    CHECK(wide.events().ruptures > 10);
+    CHECK(same_bits(fingerprint(usual), fingerprint(wide)));
+    CHECK(same_bits(fingerprint(tight), fingerprint(wide)));
+  };
+  check(rubbing, protocol::grain_films{});
+  check(creeping, protocol::gravity{});
+  check(rubbing, protocol::neighbours{});
+  check(rubbing, protocol::homogeneous{100});
+}
+
+TEST_CASE("a formation rule with a reach does not depend on the skin either") {
+  const auto run = [](double skin) {
+    pendular::system s{rubbing,
+                       liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::grain_films{},
+                              formation::within_rupture_distance{}},
+                       moving_cell(7.2e-3, 7.32e-3), velocity_verlet{5e-6, gravity_down},
+                       run_options{.skin = skin, .force = true}};
+    for (const grain& g : loose_lattice(6, 6, 6, 0.5e-3, 0.1, 1.2e-3, 0.2)) s.add(g);
+    wet_and_run(s, 2000);
+    CHECK(s.events().ruptures > 10);
+    return fingerprint(s);
+  };
+  const auto usual = run(0.2);
+  CHECK(same_bits(usual, run(0.9)));
+  CHECK(same_bits(usual, run(1e-9)));
+}
+
+TEST_CASE("a wet composition without liquid moves as the dry one to the last bit") {
+  const double n = 6;
+  auto wet = wet_scene(rubbing, protocol::grain_films{}, 0.2);
+  pendular::system dried{rubbing, moving_cell(1.2e-3 * n, 1.22e-3 * n), velocity_verlet{5e-6, gravity_down},
+                       run_options{.skin = 0.2, .force = true}};
+  for (const grain& g : loose_lattice(6, 6, 6, 0.5e-3, 0.1, 1.2e-3, 0.2)) dried.add(g);
+  wet.run(3000);
+  dried.run(3000);
+  for (std::int64_t id = 0; id < 216; ++id) {
+    REQUIRE(position(wet, id) == position(dried, id));
+    REQUIRE(spin(wet, id) == spin(dried, id));
+  }
+  // Neither does an introduced volume of nothing.
+  auto empty = wet_scene(rubbing, protocol::grain_films{}, 0.2);
+  empty.start();
+  empty.distribute_liquid(0);
+  empty.run(3000);
+  double worst = 0;
+  for (std::int64_t id = 0; id < 216; ++id) worst = std::max(worst, norm(position(empty, id) - position(dried, id)));
+  CHECK(worst == 0);
+}
+
+TEST_CASE("putting in no liquid in the middle of a run changes nothing") {
+  auto one = wet_scene(rubbing, protocol::grain_films{}, 0.2), other = wet_scene(rubbing, protocol::grain_films{}, 0.2);
+  wet_and_run(one, 2000);
+  wet_and_run(other, 500);
+  const double before = observe::energies_of(other).friction + observe::energies_of(other).damping;
+  other.distribute_liquid(0);
+  CHECK(observe::energies_of(other).friction + observe::energies_of(other).damping == before);
+}
+
+TEST_CASE("the order in which grains are added does not change the physics") {
+  const auto run = [](bool backwards) {
+    pendular::system s{creeping, water_with(protocol::grain_films{}), moving_cell(4.8e-3, 4.88e-3),
+                       velocity_verlet{2e-6, gravity_down}, run_options{.force = true}};
+    auto all = loose_lattice(4, 4, 4, 0.5e-3, 0.1, 1.2e-3, 0.2);
+    if (backwards) std::reverse(all.begin(), all.end());
+    for (const grain& g : all) s.add(g);
+    s.run(1000);
+    s.distribute_liquid(1e-2 * 0.125e-9 * 100);
+    s.run(1500);
+    return s;
+  };
+  auto forth = run(false), back = run(true);
+  CHECK(forth.bridges().count() > 30);
+  CHECK(forth.bridges().count() == back.bridges().count());
+  CHECK(forth.events().ruptures == back.events().ruptures);
+  double worst = 0;
+  for (std::int64_t id = 0; id < 64; ++id) worst = std::max(worst, norm(position(forth, id) - position(back, 63 - id)));
+  CHECK(worst < 1e-11);  // sums in another order, and chaos
+}
+
+namespace {
+/// Runs on from a checkpoint in a new system, beside the run that wrote it.
+template <class Make>
+void check_restart(const Make& make) {
+  const auto folder = std::filesystem::temp_directory_path() / ("pendular_restart_" + std::to_string(std::rand()));
+  std::filesystem::create_directories(folder);
+  auto first = make();
+  wet_and_run(first, 1000);
+  first.canonicalise();
+  {
+    io::checkpoint_writer out(folder / "state");
+    io::save(out, first);
+    out.commit();
+  }
+  first.run(700);
+  auto second = make();
+  {
+    // A new scene of the same composition, without grains.
+    pendular::system fresh{second.contact_material(), second.bridges().policies(), moving_cell(7.2e-3, 1.0),
+                           second.integrator(), run_options{.force = true}};
+    io::load(io::checkpoint_reader(folder / "state"), fresh);
+    CHECK(fresh.step_count() == 2000);
+    fresh.run(700);
+    CHECK(same_bits(fingerprint(first), fingerprint(fresh)));
+    CHECK(observe::energies_of(first).balance() == observe::energies_of(fresh).balance());
+    CHECK(observe::energies_of(first).friction == observe::energies_of(fresh).friction);
+    CHECK(first.bridges().book().total() == fresh.bridges().book().total());
+    // A second generation must agree as well.
+    first.canonicalise();
+    fresh.canonicalise();
+    first.run(300);
+    fresh.run(300);
+    CHECK(same_bits(fingerprint(first), fingerprint(fresh)));
+  }
+  CHECK(first.events().ruptures > 5);
+  std::filesystem::remove_all(folder);
+}
+}  // namespace
+
+TEST_CASE("a resumed run goes on with the same bits") {
+  SECTION("friction springs and films") {
+    check_restart([] { return wet_scene(rubbing, protocol::grain_films{}, 0.2); });
+  }
+  SECTION("viscous friction and homogeneous redistribution") {
+    check_restart([] { return wet_scene(creeping, protocol::homogeneous{150}, 0.2); });
+  }
+  SECTION("half-step velocities and gravity") {
+    check_restart([] {
+      return wet_scene<decltype(rubbing), protocol::gravity, half_step_velocity_verlet>(rubbing, protocol::gravity{}, 0.2);
+    });
+  }
+}

@@ -295,7 +295,7 @@ class system {
   void redistribute()
     requires(!std::is_same_v<Liquid, dry>)
   {
-    wanted_reach_ = homogeneous_reach(bonds_, candidates(view(), selection_), bonds_.book().introduced());
+    wanted_reach_ = homogeneous_reach(bonds_, view(), candidates(view(), selection_), bonds_.book().introduced());
     if (list_.range() < wanted_reach_ + skin_) rebuild();
     wanted_reach_ = 0;
     count(distribute_homogeneously(bonds_, view(), selection_));

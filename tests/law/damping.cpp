@@ -113,7 +113,7 @@ TEST_CASE("damping rates outside the published range are refused") {
 }
 
 // The papers let alpha_n run to 1, the critical rate, where nothing is singular: only the closed forms of e need a limit.
-TEST_CASE("the critical damping rate belongs to the published range", "[!mayfail]") {
+TEST_CASE("the critical damping rate belongs to the published range") {
   CHECK_NOTHROW(validate(damping::viscous{1.0}));
   CHECK_NOTHROW(validate(damping::viscous_on_approach{1.0}));
 }

@@ -38,8 +38,9 @@ struct element<T> {
 template <class T>
 using element_t = typename detail::element<std::remove_cvref_t<T>>::type;
 
-// The vocabulary of law bodies. They are objects, not function templates, so that a law in any namespace may call them
-// qualified or not and argument-dependent lookup never picks a second candidate.
+// The vocabulary of law bodies. They are objects, not function templates, so that argument-dependent lookup never adds a
+// second candidate. A law outside of namespace pendular writes pendular::sqrt(x): after `using namespace pendular` the
+// bare name would be ambiguous with that of <math.h>.
 namespace detail {
 struct exp_fn {
   template <class T>

@@ -65,12 +65,12 @@ Vec3<T> tangential_part(const Vec3<T>& a, const Vec3<T>& n) {
   return a - along * n;
 }
 
-/// a, shortened to the given length where it is longer; 0/0 is 0.
+/// a, shortened to the given length where it is longer; 0/0 is 0, and a length below 0 counts as 0.
 template <class T>
 Vec3<T> shortened_to(const Vec3<T>& a, const T& length) {
-  const T present = norm(a);
-  const T longest = max(T(max(present, length)), T(tiny));
-  const T factor = length / longest;
+  const T allowed = max(length, T(0));
+  const T longest = max(T(max(norm(a), allowed)), T(tiny));
+  const T factor = allowed / longest;
   return factor * a;
 }
 

@@ -36,11 +36,13 @@ T stiffness(const Law& law, const approach<T>& a) {
   } else if constexpr (std::is_same_v<T, double>) {
     const dual force = law.repulsion(detail::varied(a));
     return -force.derivatives()(0);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    return static_cast<T>(stiffness(law, approach<double>{a.gap, a.closing_speed, a.reduced_mass, a.radius_i, a.radius_j}));
   } else {
     T result = a.gap;
     for (Eigen::Index k = 0; k < result.size(); ++k) {
       const approach<double> one{a.gap(k), a.closing_speed(k), a.reduced_mass(k), a.radius_i(k), a.radius_j(k)};
-      result(k) = stiffness(law, one);
+      result(k) = static_cast<element_t<T>>(stiffness(law, one));
     }
     return result;
   }

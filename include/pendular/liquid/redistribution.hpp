@@ -127,6 +127,18 @@ bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, std::span<cons
   return events;
 }
 
+namespace detail {
+/// Films in proportion to R^3.
+inline void spread_over_grains(ledger& book, const pair_view& view, double volume) {
+  double sizes = 0;
+  for (const double r : view.radius) sizes += r * r * r;
+  for (std::size_t g = 0; g < view.radius.size(); ++g) {
+    const double r = view.radius[g];
+    book.transfer(ledger::reservoir(), ledger::film_of(g), volume * (r * r * r / sizes));
+  }
+}
+}  // namespace detail
+
 /// Pairs of the list that the selection keeps, with their gaps.
 inline std::vector<candidate> candidates(const pair_view& view, const bond_selection& selection) {
   std::vector<candidate> found;
@@ -138,16 +150,17 @@ inline std::vector<candidate> candidates(const pair_view& view, const bond_selec
 }
 
 /// How far apart two grains can be and still get a bridge in a homogeneous distribution, m: what the list must see
-/// first. alpha is largest if only touching pairs receive.
+/// first. alpha is largest if only touching pairs receive, and the list has all of these; the largest grains may have no
+/// listed pair yet.
 template <class Liquid>
-double homogeneous_reach(const bonds<Liquid>& b, const std::vector<candidate>& all, double liquid_volume) {
+double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const std::vector<candidate>& all,
+                         double liquid_volume) {
   double touching = 0, farthest = 0;
   for (const candidate& c : all) touching += c.geometry.gap <= 0 ? c.size() : 0.0;
   const double alpha = std::min(touching > 0 ? liquid_volume / touching : widest_bridge, widest_bridge);
-  for (const candidate& c : all) {
-    bridge<double> widest = c.geometry;
-    widest.volume = alpha * c.size();
-    farthest = std::max(farthest, b.policies().rupture_distance(widest));
+  const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
+  for (const double r : {*small, *large}) {
+    farthest = std::max(farthest, b.policies().rupture_distance({0, alpha * r * r * r, r, r}));
   }
   return farthest;
 }
@@ -169,23 +182,20 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
   const double volume = b.book().introduced();  // all of it is in the reservoir now; this figure has no round-off
   const homogeneous_share share =
       share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
-  bond_events events;
-  if (share.alpha < b.policies().formation().minimum_volume) {
-    double sizes = 0;
-    for (const double r : view.radius) sizes += r * r * r;
-    for (std::size_t g = 0; g < view.radius.size() && volume > 0; ++g) {
-      const double r = view.radius[g];
-      b.book().transfer(ledger::reservoir(), ledger::film_of(g), volume * (r * r * r / sizes));
+  if (share.alpha >= b.policies().formation().minimum_volume) {
+    for (const std::size_t k : share.eligible) {
+      const std::size_t p = all[k].pair;
+      b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, gaps[p], view);
     }
-    return events;
+  } else {
+    detail::spread_over_grains(b.book(), view, volume);
   }
-  for (const std::size_t k : share.eligible) {
-    const std::size_t p = all[k].pair;
-    b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, gaps[p], view);
-    events.formations += was_bonded[p] ? 0 : 1;
-    was_bonded[p] = false;
+  bond_events events;
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    if (!b.is_bonded(p)) b.refresh(p, view);  // its films have changed, and with them whether it may form
+    events.ruptures += was_bonded[p] && !b.is_bonded(p) ? 1 : 0;
+    events.formations += !was_bonded[p] && b.is_bonded(p) ? 1 : 0;
   }
-  for (std::size_t p = 0; p < view.pairs; ++p) events.ruptures += was_bonded[p] ? 1 : 0;
   return events;
 }
 

@@ -18,7 +18,7 @@ struct richefeu_harmonic {
 
   template <Scalar T>
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
-    const T radius = T(2) * b.radius_i * b.radius_j / (b.radius_i + b.radius_j);
+    const T radius = T(2) / T(T(1) / b.radius_i + T(1) / b.radius_j);
     return {T(capillary_tension(f)) * radius, decay_rate(b, decay_constant)};
   }
 

@@ -22,8 +22,8 @@ struct viscous {
 };
 
 inline void validate(const viscous& law) {
-  expects(law.damping_rate >= 0 && law.damping_rate < 1, "the damping rate alpha_n", law.damping_rate,
-          "in [0, 1), below the critical damping 2 sqrt(m k_n)", "docs/reference/laws.md");
+  expects(law.damping_rate >= 0 && law.damping_rate <= 1, "the damping rate alpha_n", law.damping_rate,
+          "in [0, 1], where 1 is the critical damping 2 sqrt(m k_n)", "docs/reference/laws.md");
 }
 
 }  // namespace pendular::damping

@@ -5,8 +5,9 @@
 
 namespace pendular::friction {
 
-/// Tangential spring with a Coulomb limit: the spring force follows -k_t times the slip since first touch, turns with
-/// the contact, and is cut to mu N, so that a contact at rest carries a static force.
+/// Tangential spring with a Coulomb limit: the spring force follows -k_t times the slip since first touch and is cut to
+/// mu N, so that a contact at rest carries a static force. Whoever keeps the memory turns it with the contact
+/// (contact/force.hpp does).
 /// Units: N from N/m, m/s, s. Valid while k_t dt^2 is small against the tangential mass.
 /// Source: Cundall and Strack 1979, Geotechnique 29, 47.
 struct coulomb_spring {

@@ -14,7 +14,7 @@ struct willett {
   template <Scalar T>
   T distance(const bridge<T>& b, const fluid& f) const {
     const T size_ratio = min(b.radius_i, b.radius_j) / max(b.radius_i, b.radius_j);
-    const T radius = T(2) * b.radius_i * b.radius_j / (b.radius_i + b.radius_j);
+    const T radius = T(2) / T(T(1) / b.radius_i + T(1) / b.radius_j);
     const T length = cbrt(b.volume) / radius;
     const T wetting = T(1) + T(0.25 * f.contact_angle) * (size_ratio + T(1));
     return radius * wetting * (length + (T(0.5) * size_ratio - T(0.4)) * length * length);

@@ -110,6 +110,19 @@ TEST_CASE("liquid below the minimum volume goes to the grains in proportion to R
   CHECK(b.book().total() == within(1e-15, 0.029));
 }
 
+TEST_CASE("liquid that no pair can take goes to the grains even where there is no minimum volume") {
+  packing two;
+  two.radius = {1, 2};
+  two.position = {{0, 0, 0}, {5, 0, 0}};
+  two.pairs = {{0, 1}};
+  two.listed();
+  auto b = dry_bonds(wet(rupture::lian{}, formation::at_contact{0}), two);
+  b.book().introduce(0.009);
+  distribute_homogeneously(b, two.view(), {});
+  CHECK(b.book().films()[0] == within(1e-14, 0.001));
+  CHECK(b.book().films()[1] == within(1e-14, 0.008));
+}
+
 TEST_CASE("films of a distribution that reached no pair make a bridge at the first touch") {
   packing two;
   two.radius = {1, 1};

@@ -103,3 +103,14 @@ TEST_CASE("a liquid hands fluid and laws to whoever asks") {
   CHECK_THROWS_AS((liquid{fluid{-1, 0, 1, 0}, capillary::richefeu{}, rupture::lian{}}), input_error);
   CHECK_THROWS_AS((liquid{fluid::water(), capillary::richefeu{-1}, rupture::lian{}}), input_error);
 }
+
+TEST_CASE("a period or a minimum volume without meaning is refused") {
+  using hand_made::wet;
+  const rupture::lian lian{};
+  for (const std::int64_t bad : {0, -1}) CHECK_THROWS_AS(wet(lian, protocol::homogeneous{bad}), input_error);
+  for (const double bad : {-1e-9, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(wet(lian, formation::at_contact{bad}), input_error);
+    CHECK_THROWS_AS(wet(lian, formation::within_rupture_distance{bad}), input_error);
+  }
+  CHECK_NOTHROW(wet(lian, formation::at_contact{0}, protocol::homogeneous{1}));
+}

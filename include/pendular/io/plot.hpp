@@ -99,7 +99,7 @@ inline std::string gnuplot_commands(const plot& p, bool svg, const std::filesyst
   text += "set border 3 linewidth 1.5 linecolor rgb '#404040'\nset tics nomirror out\n"
           "set grid linetype 1 linewidth 1 linecolor rgb '#DDDDDD'\nset style fill solid\n"
           "set key below center horizontal Left reverse samplen 2.5 spacing 1.2 height 0.8\n"
-          "set lmargin 11\nset rmargin 4\nset format '%g'\n";
+          "set lmargin 13\nset rmargin 4\nset format '%g'\n";
   text += "set title " + gnuplot_quoted(p.title) + " font 'DejaVu Sans,20'\n";
   text += gnuplot_axis("x", p.x_label, p.logarithmic_x, p.x_range);
   text += gnuplot_axis("y", p.y_label, p.logarithmic_y, p.y_range);

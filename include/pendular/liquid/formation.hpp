@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/expects.hpp>
+
+#include <cmath>
+#include <type_traits>
+
 namespace pendular::formation {
 
 /// A bridge forms when the grains touch.
@@ -18,5 +23,12 @@ struct within_rupture_distance {
   /// Gap below which a bridge forms, m.
   constexpr double reach(double rupture_distance) const { return rupture_distance; }
 };
+
+template <class Rule>
+  requires(std::is_same_v<Rule, at_contact> || std::is_same_v<Rule, within_rupture_distance>)
+void validate(const Rule& rule) {
+  expects(rule.minimum_volume >= 0 && std::isfinite(rule.minimum_volume), "the minimum volume of a bridge over R^3",
+          rule.minimum_volume, "at least 0 and finite", "docs/reference/liquid.md");
+}
 
 }  // namespace pendular::formation

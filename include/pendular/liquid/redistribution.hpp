@@ -155,9 +155,8 @@ inline std::vector<candidate> candidates(const pair_view& view, const bond_selec
 template <class Liquid>
 double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const std::vector<candidate>& all,
                          double liquid_volume) {
-  double touching = 0, farthest = 0;
-  for (const candidate& c : all) touching += c.geometry.gap <= 0 ? c.size() : 0.0;
-  const double alpha = std::min(touching > 0 ? liquid_volume / touching : widest_bridge, widest_bridge);
+  const double alpha = possible_alpha(all, liquid_volume).high;
+  double farthest = 0;
   const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
   for (const double r : {*small, *large}) {
     farthest = std::max(farthest, b.policies().rupture_distance({0, alpha * r * r * r, r, r}));
@@ -182,7 +181,7 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
   const double volume = b.book().introduced();  // all of it is in the reservoir now; this figure has no round-off
   const homogeneous_share share =
       share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
-  if (share.alpha >= b.policies().formation().minimum_volume) {
+  if (share.alpha > 0 && share.alpha >= b.policies().formation().minimum_volume) {
     for (const std::size_t k : share.eligible) {
       const std::size_t p = all[k].pair;
       b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, gaps[p], view);

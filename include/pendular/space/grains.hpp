@@ -65,7 +65,7 @@ class grains : public detail::grain_columns<Rotates, CountsContacts>::type {
   static constexpr bool rotate = Rotates;
   static constexpr bool count_contacts = CountsContacts;
 
-  /// Errors: radius or density not positive and finite, position or velocity not finite.
+  /// Errors: radius or density not positive and finite, position, velocity or angular velocity not finite.
   void add(const grain& g) {
     validate(g);
     const std::size_t row = this->size();
@@ -112,6 +112,8 @@ class grains : public detail::grain_columns<Rotates, CountsContacts>::type {
             "positive and finite", page);
     const double motion = dot(g.position, g.position) + dot(g.velocity, g.velocity);
     expects(std::isfinite(motion), "position or velocity of a grain", motion, "finite", page);
+    const double turning = dot(g.angular_velocity, g.angular_velocity);
+    expects(std::isfinite(turning), "the angular velocity of a grain (rad/s)", turning, "finite", page);
   }
 };
 

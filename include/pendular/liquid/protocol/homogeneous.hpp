@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/expects.hpp>
 #include <pendular/liquid/protocol/concepts.hpp>
 
 #include <cstdint>
@@ -13,5 +14,10 @@ namespace pendular::protocol {
 struct homogeneous {
   std::int64_t period = 1000;  // steps
 };
+
+inline void validate(const homogeneous& p) {
+  expects(p.period > 0, "the period of the homogeneous protocol (steps)", static_cast<double>(p.period), "at least 1",
+          "docs/reference/liquid.md");
+}
 
 }  // namespace pendular::protocol

@@ -37,6 +37,7 @@ void describe(CLI::App& app, options& o) {
   app.add_option("--mass-scaling", o.mass_scaling, "factor on the inertia of the grains, not on their weight")->check(positive)->capture_default_str();
   app.add_option("--preparation-friction", o.preparation_friction, "between grains while the sample is made; 0 is densest")
       ->check(CLI::Range(0.0, 2.0))->capture_default_str();
+  app.add_option("--packing", o.packing, "start from packing.bin of an earlier job of as many grains")->check(CLI::ExistingFile);
   app.add_option("--grains", o.grains, "number of grains; fewer than 8000 make a smaller sample of the same shape")
       ->check(CLI::Range(std::int64_t{20}, std::int64_t{1000000}))->capture_default_str();
   app.add_option("--seed", o.seed, "of all random choices")->capture_default_str();
@@ -57,7 +58,7 @@ std::string options::physics() const {
   text << "water-content " << water_content << " protocol " << protocol << " law " << law << " friction " << friction
        << " thinning " << thinning << " kappa " << surface_tension_force << " wall-speed " << wall_speed << " duration "
        << duration << " time-step " << time_step << " mass-scaling " << mass_scaling << " preparation-friction "
-       << preparation_friction << " grains " << grains << " seed " << seed << " checkpoint-interval "
+       << preparation_friction << " packing " << packing.string() << " grains " << grains << " seed " << seed << " checkpoint-interval "
        << checkpoint_interval;
   return text.str();
 }

@@ -19,6 +19,7 @@ struct options {
   double time_step = 4e-6;             // s
   double mass_scaling = 1;
   double preparation_friction = 0;
+  std::filesystem::path packing;       // to start from, instead of making one
   std::int64_t grains = 8000;
   std::uint64_t seed = 1;
   int threads = 0;                     // 0: as many as the machine has

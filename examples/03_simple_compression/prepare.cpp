@@ -19,12 +19,24 @@ scene::sealed_packing prepare_with(const options& o, const Material& m, const re
   p.force = o.force;
   scene::packing<Material> packing(p, m, material{normal::linear{1e3}, damping::viscous{0.8}});
   if (from) packing.resume(*from);
-  return packing.run(watch);
+  const scene::sealed_packing sealed = packing.run(watch);
+  io::checkpoint_writer out(o.output / "packing.bin");
+  scene::save(out, sealed);
+  out.commit();
+  return sealed;
+}
+
+scene::sealed_packing read_packing(const options& o) {
+  const scene::sealed_packing packing = scene::load_packing(io::checkpoint_reader(o.packing));
+  expects(static_cast<std::int64_t>(packing.grains.size()) == o.grains, "the number of grains in the packing",
+          static_cast<double>(packing.grains.size()), "that of --grains", "docs/how-to/run_the_paper.md");
+  return packing;
 }
 
 }  // namespace
 
 scene::sealed_packing prepare(const options& o, const restart& from, const scene::monitor& watch) {
+  if (!o.packing.empty()) return read_packing(o);
   const normal::linear elastic{1e3};
   const damping::viscous dashpot{0.8};
   if (o.preparation_friction > 0) {

@@ -44,14 +44,26 @@ struct bonds_of<dry> {
   using type = no_bonds;
 };
 
+template <class>
+inline constexpr bool never = false;
+
 template <class Wall, class Material>
 using wall_material =
     std::conditional_t<std::is_same_v<decltype(Wall::material), none>, Material, decltype(Wall::material)>;
 
 template <class Material, class Walls>
-struct wall_contacts_of;
+struct wall_contacts_of {
+  static_assert(never<Walls>, "a system needs its walls between material or liquid and integrator, such as "
+                              "boundary::walls{} (docs/reference/boundary.md)");
+  using type = std::tuple<>;
+};
 template <class Material, class... W>
 struct wall_contacts_of<Material, boundary::walls<W...>> {
+  static_assert(((!wall_material<W, Material>::has_friction || Material::has_friction) && ...),
+                "a wall with friction needs grains with friction, which alone can turn (docs/reference/boundary.md)");
+  static_assert(((!wall_material<W, Material>::counts_contacts || Material::counts_contacts) && ...),
+                "a wall with friction::viscous_coulomb needs grains with it too, because it counts their contacts "
+                "(docs/reference/boundary.md)");
   using type = std::tuple<boundary::wall_contacts<W, wall_material<W, Material>>...>;
 };
 }  // namespace detail

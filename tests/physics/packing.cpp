@@ -77,10 +77,10 @@ TEST_CASE("the energy balance of a sheared and shaken wet packing closes to a th
                                wall{plane{{side, 0, 0}, {-1, 0, 0}}},
                                wall{plane{{0, 0, 0}, {0, 1, 0}}},
                                wall{plane{{0, side, 0}, {0, -1, 0}}},
-                               wall{plane{{0, 0, 0}, {0, 0, 1}}, constant_velocity{{0.1, 0, 0}}},
-                               wall{plane{{0, 0, 4.6e-3}, {0, 0, -1}}, constant_velocity{{-0.1, 0, -0.01}}}};
+                               wall{plane{{0, 0, 0}, {0, 0, 1}}, constant_velocity{{0.3, 0, 0}}},
+                               wall{plane{{0, 0, 4.6e-3}, {0, 0, -1}}, constant_velocity{{-0.3, 0, -0.01}}}};
     pendular::system s{rubbing, wet_water(), cell, integration, run_options{.force = true}};
-    for (const grain& g : loose_lattice(4, 4, 4, r, 0.08, 1.2e-3, 0.2)) s.add(g);
+    for (const grain& g : loose_lattice(4, 4, 4, r, 0.08, 1.2e-3, 0.4)) s.add(g);
     s.start();
     s.distribute_liquid(1e-2 * r * r * r * 150);
     const auto before = observe::energies_of(s);
@@ -98,7 +98,7 @@ TEST_CASE("the energy balance of a sheared and shaken wet packing closes to a th
     CHECK(std::abs(after.balance() - before.balance()) < 1e-3 * turnover);
     return (after.balance() - before.balance()) / turnover;
   };
-  drift(half_step_velocity_verlet{2e-6, {0, 0, -9.81}});
+  drift(half_step_velocity_verlet{1e-6, {0, 0, -9.81}});
   drift(velocity_verlet{1e-6, {0, 0, -9.81}});
 }
 
@@ -119,12 +119,12 @@ TEST_CASE("in free flight nothing is lost: momentum, angular momentum and energy
   };
   const auto before = sums();
   const double energy = observe::energies_of(s).balance();
-  const double kinetic = kinetic_energy(s);
   s.run(20000);
   const auto after = sums();
   CHECK(norm(after.first - before.first) < 1e-11 * norm(before.first));
   CHECK(norm(after.second - before.second) < 1e-10 * norm(before.second));
-  CHECK(std::abs(observe::energies_of(s).balance() - energy) < 2e-3 * kinetic);
+  const auto now = observe::energies_of(s);
+  CHECK(std::abs(now.balance() - energy) < 1e-3 * std::abs(now.capillary));
   CHECK(s.events().formations > 0);
 }
 

@@ -57,7 +57,7 @@ struct cloud {
       for (std::size_t b = a + 1; b < id.size(); ++b) {
         const double distance = std::hypot(position[a].x - position[b].x, position[a].y - position[b].y,
                                            position[a].z - position[b].z);
-        if (distance - radius[a] - radius[b] < range) found.insert(std::minmax(id[a], id[b]));
+        if (distance - radius[a] - radius[b] <= range) found.insert(std::minmax(id[a], id[b]));
       }
     }
     return found;
@@ -118,7 +118,7 @@ TEST_CASE("one grain, two grains and grains in one point are listed too") {
 }
 
 TEST_CASE("grains on the borders of cells are not lost") {
-  // A lattice whose spacing is the edge of a cell, and one of half of it; pairs at the exact range are left out.
+  // A lattice whose spacing is the edge of a cell, and one of half of it.
   for (const double spacing : {1.0, 2.0, 2.5, 1.25}) {
     cloud lattice;
     for (int a = 0; a < 6; ++a) {

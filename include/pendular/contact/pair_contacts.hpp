@@ -24,6 +24,19 @@ struct pair_findings {
   bool trouble = false;       // an overlap beyond the limit or a value that is not finite
 };
 
+/// What a pair does to its grains, in one cache line: the second phase meets the pairs of a grain in no order.
+template <bool Rotates>
+struct pair_action {
+  vector force;  // on the first grain, N
+  double gap;    // m
+};
+template <>
+struct alignas(64) pair_action<true> {
+  vector force;   // on the first grain, N
+  double gap;     // m
+  vector torque;  // per lever arm, N; the same for both grains
+};
+
 /// First phase of a step: composed laws over all listed pairs, a block at a time, results stored per pair.
 template <class Material, class Bonds>
 class pair_contacts {
@@ -34,11 +47,8 @@ class pair_contacts {
 
   void carry(std::span<const std::int32_t> origin, std::size_t rows) {
     memory_.carry(origin, rows);
-    for (auto* column : {&force_x_, &force_y_, &force_z_}) column->assign(rows, 0.0);
+    actions_.assign(rows, {});
     gap_.assign(rows, std::numeric_limits<double>::infinity());
-    if constexpr (Material::has_friction) {
-      for (auto* column : {&torque_x_, &torque_y_, &torque_z_}) column->assign(rows, 0.0);
-    }
     work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
   }
@@ -63,11 +73,10 @@ class pair_contacts {
 
   std::span<const double> gap() const { return gap_; }
 
-  /// Force on the first grain of a pair, N.
-  vector force(std::size_t p) const { return {force_x_[p], force_y_[p], force_z_[p]}; }
+  const pair_action<Material::has_friction>& action(std::size_t p) const { return actions_[p]; }
 
-  /// Torque of a pair per lever arm, N; the same for both grains.
-  vector torque(std::size_t p) const { return {torque_x_[p], torque_y_[p], torque_z_[p]}; }
+  /// Force on the first grain of a pair, N.
+  const vector& force(std::size_t p) const { return actions_[p].force; }
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
@@ -110,8 +119,9 @@ class pair_contacts {
     return e;
   }
 
+  // Flattened, because a block passed to a function that is not inlined goes through memory.
   template <class Grains>
-  void evaluate_block(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
+  [[gnu::flatten]] void evaluate_block(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
                       const contact_clock& clock, std::size_t p, pair_findings& found) {
     const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, clock.time_step);
     const block& gap = e.approaching.gap;
@@ -133,20 +143,22 @@ class pair_contacts {
   void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,
                      const Vec3<block>& traction) {
     store(gap_.data() + p, gap);
-    store(force_x_.data() + p, force.x);
-    store(force_y_.data() + p, force.y);
-    store(force_z_.data() + p, force.z);
+    for (int k = 0; k < lane_count; ++k) {
+      auto& action = actions_[p + static_cast<std::size_t>(k)];
+      action.force = {force.x(k), force.y(k), force.z(k)};
+      action.gap = gap(k);
+    }
     if constexpr (Material::has_friction) {
       const Vec3<block> torque = cross(normal, traction);
-      store(torque_x_.data() + p, torque.x);
-      store(torque_y_.data() + p, torque.y);
-      store(torque_z_.data() + p, torque.z);
+      for (int k = 0; k < lane_count; ++k) {
+        actions_[p + static_cast<std::size_t>(k)].torque = {torque.x(k), torque.y(k), torque.z(k)};
+      }
     }
   }
 
   scalar_table<memory> memory_;
-  std::vector<double> gap_, force_x_, force_y_, force_z_;
-  std::vector<double> torque_x_, torque_y_, torque_z_;  // empty without friction
+  std::vector<pair_action<Material::has_friction>> actions_;
+  std::vector<double> gap_;
   work_sums_of<Material> work_;
   std::vector<pair_findings> findings_;
 };

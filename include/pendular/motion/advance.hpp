@@ -75,11 +75,11 @@ template <class Grains, class Contacts>
 pair_sum sum_pairs(const pair_list& list, const Contacts& contacts, std::size_t row, double radius, pair_sum sum) {
   for (const auto& incidence : list.pairs_of(row)) {
     const auto p = static_cast<std::size_t>(incidence.pair);
-    sum.force += static_cast<double>(incidence.sign) * contacts.force(p);
+    const auto& action = contacts.action(p);
+    sum.force += static_cast<double>(incidence.sign) * action.force;
     if constexpr (Grains::rotate) {
-      const double gap = contacts.gap()[p];
-      if (gap < 0) {
-        sum.torque += (radius + 0.5 * gap) * contacts.torque(p);
+      if (action.gap < 0) {
+        sum.torque += (radius + 0.5 * action.gap) * action.torque;
         sum.contacts += 1;
       }
     }

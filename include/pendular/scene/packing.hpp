@@ -59,6 +59,24 @@ struct sealed_packing {
   double solid_mass = 0;      // kg
 };
 
+inline void save(io::checkpoint_writer& out, const sealed_packing& p) {
+  std::vector<double> numbers{p.height, p.solid_fraction, p.solid_mass};
+  for (const grain& g : p.grains) {
+    numbers.insert(numbers.end(), {g.position.x, g.position.y, g.position.z, g.radius, g.density});
+  }
+  out.put("packing.numbers", numbers);
+}
+
+/// Errors: std::runtime_error if the file holds no packing.
+inline sealed_packing load_packing(const io::checkpoint_reader& in) {
+  const auto numbers = in.get<std::vector<double>>("packing.numbers");
+  sealed_packing p{{}, numbers.at(0), numbers.at(1), numbers.at(2)};
+  for (std::size_t k = 3; k + 4 < numbers.size(); k += 5) {
+    p.grains.push_back({{numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]});
+  }
+  return p;
+}
+
 /// Deposits grains under gravity in a cylinder and seals them by a loaded lid. All walls are without friction; the
 /// grains' own material may have some, which makes the sample looser.
 template <class Material>

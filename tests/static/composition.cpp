@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene does not choose does not exist: composed types, their columns, memories and sizes.
+#include <pendular/boundary/cylinder.hpp>
+#include <pendular/law/all.hpp>
+#include <pendular/liquid/protocol/all.hpp>
+#include <pendular/system.hpp>
+#include <pendular/testing/archetypes.hpp>
+
+#include <boost/hana/unpack.hpp>
+
+#include <type_traits>
+
+using namespace pendular;
+
+namespace {
+
+using spring = normal::linear;
+using dashpot = damping::viscous;
+using floor_only = boundary::walls<boundary::wall<boundary::plane>>;
+template <class Material, class... Liquid>
+using scene = pendular::system<Material, Liquid..., floor_only, velocity_verlet>;
+
+using frictionless = material<spring, dashpot>;
+using viscous = material<spring, dashpot, friction::viscous_coulomb>;
+using cundall = material<spring, dashpot, friction::coulomb_spring>;
+using published = material<spring, dashpot, friction::viscous_coulomb_explicit>;
+using booked = material<spring, dashpot, energy_book>;
+using water_and_laws = liquid<fluid, capillary::richefeu, rupture::lian>;
+
+// A dry scene has no bridge, no volume, no film.
+using dry_scene = scene<frictionless, dry>;
+using wet_scene = scene<frictionless, water_and_laws>;
+static_assert(!dry_scene::wet && wet_scene::wet);
+static_assert(std::is_same_v<dry_scene::bonds_type, no_bonds> && std::is_empty_v<no_bonds> && std::is_empty_v<dry>);
+static_assert(std::is_same_v<wet_scene::bonds_type, bonds<water_and_laws>>);
+static_assert(!dry_scene::contacts_type::wet && wet_scene::contacts_type::wet);
+static_assert(sizeof(dry_scene) < sizeof(wet_scene));
+template <class System>
+concept Wettable = requires(System s) { s.distribute_liquid(1e-9); };
+static_assert(Wettable<wet_scene> && !Wettable<dry_scene>);
+
+// A frictionless scene does not rotate.
+template <class System, class Column>
+inline constexpr bool has = System::grains_type::template has<Column>;
+using rolling_scene = scene<cundall, dry>;
+static_assert(!has<dry_scene, column::angular_velocity> && !has<dry_scene, column::torque> &&
+              !has<dry_scene, column::inverse_inertia> && !has<dry_scene, column::contacts>);
+static_assert(has<rolling_scene, column::angular_velocity> && has<rolling_scene, column::torque> &&
+              has<rolling_scene, column::inverse_inertia>);
+static_assert(has<dry_scene, column::position> && has<dry_scene, column::id> && has<dry_scene, column::force>);
+static_assert(!dry_scene::grains_type::rotate && rolling_scene::grains_type::rotate);
+static_assert(sizeof(dry_scene::grains_type) < sizeof(rolling_scene::grains_type));
+
+// Contacts are counted for the law that asks, and for no other.
+static_assert(has<scene<viscous, dry>, column::contacts> && scene<viscous, dry>::grains_type::count_contacts);
+static_assert(!has<scene<cundall, dry>, column::contacts> && !has<scene<published, dry>, column::contacts>);
+static_assert(viscous::counts_contacts && !cundall::counts_contacts && !published::counts_contacts &&
+              !frictionless::counts_contacts);
+
+// A pair remembers what its friction law remembers: three numbers for a spring, else none.
+template <class Material>
+inline constexpr std::size_t numbers_per_pair = scalar_table<Material::template memory>::width;
+static_assert(numbers_per_pair<cundall> == 3 && numbers_per_pair<viscous> == 3);
+static_assert(numbers_per_pair<published> == 0 && numbers_per_pair<frictionless> == 0);
+static_assert(cundall::has_memory && viscous::has_memory && !published::has_memory && !frictionless::has_memory);
+static_assert(std::is_empty_v<frictionless::memory<block>>);
+static_assert(numbers_per_pair<material<testing::archetype::friction_law_with_memory, spring>> == 3);
+
+// A bond keeps its coefficients, and those of a law without any are its volume and radii.
+template <class Law>
+inline constexpr std::size_t numbers_per_bond = scalar_table<bonds<liquid<fluid, Law, rupture::lian>>::template coefficients>::width;
+static_assert(numbers_per_bond<capillary::richefeu> == 2 && numbers_per_bond<testing::archetype::capillary_law> == 3 &&
+              numbers_per_bond<testing::archetype::prepared_capillary_law> == 1);
+
+// Sums of work are kept where they are asked for.
+static_assert(booked::keeps_energy_book && !frictionless::keeps_energy_book);
+static_assert(std::is_same_v<work_sums_of<booked>, work_sums> && std::is_empty_v<work_sums_of<frictionless>>);
+static_assert(sizeof(scene<frictionless, dry>) < sizeof(scene<booked, dry>));
+static_assert(std::is_same_v<booked::normal_law, spring> && !booked::has_friction);
+
+// A bundle takes its policies in any order, and `none` is nobody.
+static_assert(std::is_same_v<material<dashpot, friction::coulomb_spring, spring>::normal_law, spring>);
+static_assert(std::is_same_v<material<dashpot, friction::coulomb_spring, spring>::damping_law, dashpot>);
+static_assert(std::is_same_v<material<friction::coulomb_spring, spring, dashpot>::friction_law, friction::coulomb_spring>);
+static_assert(std::is_same_v<material<none, spring, none>::friction_law, none> && !material<none, spring>::has_damping);
+static_assert(numbers_per_pair<material<none, friction::coulomb_spring, none, spring>> == 3);
+
+using any_order = liquid<protocol::gravity, rupture::willett, none, formation::within_rupture_distance, fluid,
+                         capillary::richefeu_harmonic>;
+static_assert(std::is_same_v<any_order::capillary_law, capillary::richefeu_harmonic>);
+static_assert(std::is_same_v<any_order::rupture_law, rupture::willett>);
+static_assert(std::is_same_v<any_order::protocol_type, protocol::gravity>);
+static_assert(std::is_same_v<any_order::formation_rule, formation::within_rupture_distance>);
+
+// What a liquid does not say.
+static_assert(std::is_same_v<water_and_laws::protocol_type, protocol::none>);
+static_assert(std::is_same_v<water_and_laws::formation_rule, formation::at_contact>);
+template <class... More>
+using with = liquid<fluid, capillary::richefeu, rupture::lian, More...>;
+static_assert(std::is_same_v<with<protocol::homogeneous>::formation_rule, formation::within_rupture_distance>);
+static_assert(std::is_same_v<with<protocol::homogeneous, formation::at_contact>::formation_rule, formation::at_contact>);
+static_assert(std::is_same_v<with<protocol::grain_films>::formation_rule, formation::at_contact>);
+static_assert(with<protocol::gravity>::needs_gravity && !with<protocol::neighbours>::needs_gravity &&
+              !water_and_laws::needs_gravity);
+
+// Every protocol is local, global or neither.
+static_assert(boost::hana::unpack(protocol::all, [](auto... p) { return (Protocol<typename decltype(p)::type> && ...); }));
+static_assert(LocalProtocol<protocol::neighbours> && LocalProtocol<protocol::grain_films> && LocalProtocol<protocol::gravity>);
+static_assert(GlobalProtocol<protocol::homogeneous> && !LocalProtocol<protocol::homogeneous>);
+static_assert(!LocalProtocol<protocol::none> && !GlobalProtocol<protocol::none>);
+static_assert(with<protocol::homogeneous>::redistributes_globally && !with<protocol::homogeneous>::redistributes_locally);
+static_assert(with<protocol::gravity>::redistributes_locally && !with<protocol::gravity>::redistributes_globally);
+static_assert(!water_and_laws::redistributes_locally && !water_and_laws::redistributes_globally);
+
+// The least a protocol is, and every clause knocked out.
+struct local_twin {
+  double offer(const bond_side&) const { return 1; }
+  double merge(double a, double b) const { return a + b; }
+  double settle(double offers, double film) const { return film / offers; }
+  double pull(const bond_side&, double grant) const { return grant; }
+};
+struct no_offer {
+  double merge(double a, double b) const { return a + b; }
+  double settle(double offers, double film) const { return film / offers; }
+  double pull(const bond_side&, double grant) const { return grant; }
+};
+struct no_merge {
+  double offer(const bond_side&) const { return 1; }
+  double settle(double offers, double film) const { return film / offers; }
+  double pull(const bond_side&, double grant) const { return grant; }
+};
+struct no_settle {
+  double offer(const bond_side&) const { return 1; }
+  double merge(double a, double b) const { return a + b; }
+  double pull(const bond_side&, double grant) const { return grant; }
+};
+struct no_pull {
+  double offer(const bond_side&) const { return 1; }
+  double merge(double a, double b) const { return a + b; }
+  double settle(double offers, double film) const { return film / offers; }
+};
+struct pull_without_volume : no_pull {
+  bond_side pull(const bond_side& b, double) const { return b; }
+};
+struct forgetful_pull : no_pull {
+  double pull(const bond_side&, double grant) { return grant; }  // not const
+};
+struct fixed_protocol : local_twin {
+  fixed_protocol& operator=(const fixed_protocol&) = delete;
+};
+struct wordy_period {
+  const char* period = "often";
+};
+static_assert(LocalProtocol<local_twin> && Protocol<local_twin>);
+static_assert(!Protocol<no_offer> && !Protocol<no_merge> && !Protocol<no_settle> && !Protocol<no_pull>);
+static_assert(!Protocol<pull_without_volume> && !Protocol<forgetful_pull> && !Protocol<fixed_protocol>);
+static_assert(!Protocol<wordy_period> && !Protocol<none> && !Protocol<int>);
+
+struct rule_twin {
+  int minimum_volume;
+  float reach(double) const { return 0; }
+};
+struct rule_without_minimum {
+  double reach(double) const { return 0; }
+};
+struct rule_without_reach {
+  double minimum_volume;
+};
+struct rule_of_nothing {
+  double minimum_volume;
+  void reach(double) const {}
+};
+struct changing_rule {
+  double minimum_volume;
+  double reach(double) { return 0; }
+};
+static_assert(FormationRule<rule_twin> && FormationRule<formation::at_contact> &&
+              FormationRule<formation::within_rupture_distance>);
+static_assert(!FormationRule<rule_without_minimum> && !FormationRule<rule_without_reach> &&
+              !FormationRule<rule_of_nothing> && !FormationRule<changing_rule> && !FormationRule<none>);
+
+struct sphere_hole {
+  boundary::meeting<double> meet(const vector&, double) const { return {}; }
+};
+struct hole_without_normal {
+  double meet(const vector&, double) const { return 0; }
+};
+struct hole_without_radius {
+  boundary::meeting<double> meet(const vector&) const { return {}; }
+};
+struct changing_hole {
+  boundary::meeting<double> meet(const vector&, double) { return {}; }
+};
+static_assert(boundary::Geometry<sphere_hole> && boundary::Geometry<boundary::plane> && boundary::Geometry<boundary::cylinder>);
+static_assert(!boundary::Geometry<hole_without_normal> && !boundary::Geometry<hole_without_radius> &&
+              !boundary::Geometry<changing_hole> && !boundary::Geometry<none>);
+
+struct integrator_twin {
+  static constexpr int velocity_lag = 0;
+  float time_step;
+  vector gravity;
+  void predict(vector&, vector&, const vector&) const {}
+  void predict_spin(vector&, const vector&) const {}
+  void correct(vector&, const vector&, const vector&) const {}
+  static double stable_step(double, double) { return 1; }
+};
+static_assert(Integrator<integrator_twin> && Integrator<velocity_verlet> && Integrator<half_step_velocity_verlet>);
+static_assert(!Integrator<none> && !Integrator<boundary::fixed> && !Integrator<double>);
+
+struct wordy_step : integrator_twin {
+  const char* time_step;
+};
+struct flat_gravity : integrator_twin {
+  double gravity;
+};
+struct position_only : integrator_twin {
+  void predict(vector&, const vector&) const {}
+};
+struct no_spin : integrator_twin {
+  void predict_spin() const {}
+};
+struct correct_in_one : integrator_twin {
+  void correct(vector&, const vector&) const {}
+};
+struct limit_of_one : integrator_twin {
+  static double stable_step(double) { return 1; }
+};
+struct limit_of_an_object : integrator_twin {
+  double stable_step(double, double) const { return 1; }
+};
+struct vague_lag : integrator_twin {
+  static constexpr const char* velocity_lag = "half";
+};
+struct stateful : integrator_twin {
+  void correct(vector&, const vector&, const vector&) {}
+};
+static_assert(!Integrator<wordy_step> && !Integrator<flat_gravity> && !Integrator<position_only> && !Integrator<no_spin>);
+static_assert(!Integrator<correct_in_one> && !Integrator<limit_of_one> && !Integrator<limit_of_an_object>);
+static_assert(!Integrator<vague_lag> && !Integrator<stateful>);
+
+}  // namespace

@@ -142,6 +142,7 @@ class system {
     bonds_.book().introduce(volume);
     selection_ = selection;
     redistribute();
+    events_ = {};
     evaluate(false);
     expect_limits();
   }
@@ -319,9 +320,9 @@ class system {
   }
 
   void evaluate(bool moving) {
-    const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit};
+    const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
     const pair_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
-    if (found.trouble) report_pair_trouble(grains_, list_, contacts_.gap(), options_.overlap_limit, steps_);
+    if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);
     loads_.clear(grains_.size());
     for_each_wall([&](auto& wall, auto& contacts) {
       contacts.evaluate(grains_, wall, material_of(wall), clock);

@@ -12,7 +12,7 @@
 /// Tangential spring and dashpot side by side, together inside the Coulomb cone.
 struct spring_and_dashpot {
   double tangential_stiffness;  // k_t, N/m
-  double dashpot_viscosity;     // N s/m
+  double tangential_viscosity;  // gamma_t, N s/m
   double friction_coefficient;  // mu
 
   template <class T>
@@ -26,7 +26,7 @@ struct spring_and_dashpot {
     const T limit = T(friction_coefficient) * normal_force;
     const Vec3<T> stretched = memory.elastic_force - T(tangential_stiffness * s.time_step) * s.velocity;
     memory.elastic_force = shortened_to(stretched, limit);
-    return shortened_to(Vec3<T>(memory.elastic_force - T(dashpot_viscosity) * s.velocity), limit);
+    return shortened_to(Vec3<T>(memory.elastic_force - T(tangential_viscosity) * s.velocity), limit);
   }
 
   /// Energy stored in the spring, J.

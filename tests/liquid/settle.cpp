@@ -153,6 +153,22 @@ TEST_CASE("a film that a rupture has just filled feeds a dry contact that formed
   }
 }
 
+TEST_CASE("bridges that break together see each other's liquid when they may form anew across the gap") {
+  // 0 - 1 and 1 - 2 break; the films of 0 and 1 then hold 0.3, enough to reach across the 0.25 between them.
+  packing c;
+  c.radius = {1, 1, 1};
+  for (const bool reversed : {false, true}) {
+    c.pairs = reversed ? std::vector<listed_pair>{{1, 2}, {0, 1}} : std::vector<listed_pair>{{0, 1}, {1, 2}};
+    c.listed();
+    const std::vector<double> gap = reversed ? std::vector<double>{0.5, 0.25} : std::vector<double>{0.25, 0.5};
+    auto b = bonds_of(wet(volume_is_distance{}, protocol::grain_films{}, formation::within_rupture_distance{}), c,
+                      {0.2, 0.2}, {});
+    const bond_events e = c.settle(b, gap);
+    CHECK((e.ruptures == 2 && e.formations == 1));
+    CHECK(b.book().bonds()[reversed ? 1 : 0] == within(1e-15, 0.3));
+  }
+}
+
 TEST_CASE("an event is announced for the block that has it, and after it is settled no more") {
   packing c;
   for (int k = 0; k < 20; ++k) c.radius.push_back(1);

@@ -179,6 +179,20 @@ TEST_CASE("films meet at a first contact even where the neighbour list is older 
   CHECK(s.bridges().count() == 1);
 }
 
+TEST_CASE("a bridge torn within one step, by more than the skin of the list, breaks like any other") {
+  pendular::system s{material{normal::linear{k_n}}, water_with(protocol::grain_films{}), boundary::walls{},
+                     velocity_verlet{1e-6}, run_options{.skin = 1e-3, .force = true}};
+  s.add({{0, 0, 0}, radius, density, {-5, 0, 0}});
+  s.add({{2 * radius, 0, 0}, radius, density, {5, 0, 0}});
+  s.start();
+  s.distribute_liquid(bridge_volume);
+  REQUIRE(s.bridges().count() == 1);
+  CHECK_NOTHROW(s.run(20));
+  CHECK(s.bridges().count() == 0);
+  CHECK(s.events().ruptures == 1);
+  CHECK(s.bridges().book().films()[row_of(s, 0)] == within(1e-12, 0.5 * bridge_volume));
+}
+
 namespace {
 /// A floor with a hole: grains whose centre is above it stand on it, those below hang through.
 struct shelf {

@@ -114,7 +114,8 @@ auto broken_chain(const Protocol& protocol) {
                      velocity_verlet{1e-12, {0, 0, -1e-9}}, run_options{.force = true}};
   // 0 - 1 | 2 - 3, with radii 0.5, 0.5 | 1, 0.75 mm, and 4 (0.25 mm) below 2, 5 (0.5 mm) above 2
   const double d = 1e-9;
-  s.add({{0, 0, 0}, 0.5e-3, 2600});
+  // and 0 a little above 1
+  s.add({vector{1.0e-3 - d, 0, 0} + (1.0e-3 - d) * vector{-0.8, 0, 0.6}, 0.5e-3, 2600});
   s.add({{1.0e-3 - d, 0, 0}, 0.5e-3, 2600});
   s.add({{2.5e-3 - 2 * d, 0, 0}, 1e-3, 2600});
   s.add({{4.25e-3 - 3 * d, 0, 0}, 0.75e-3, 2600});
@@ -173,7 +174,7 @@ TEST_CASE("a broken bridge is split in proportion to the diameters and each prot
     CHECK(bridge_between(s, 2, 4) == within(1e-12, to_4 + broken * 2 / 3));
     CHECK(bridge_between(s, 2, 3) == to_3);
     CHECK(bridge_between(s, 2, 5) == to_5);
-    CHECK(film_on(s, 1) == within(1e-12, broken / 3));  // its only other bridge is level with it
+    CHECK(film_on(s, 1) == within(1e-12, broken / 3));  // its only other bridge is above
   }
   SECTION("films: a grain's film goes in equal parts to all contacts that form in one step") {
     auto s = broken_chain(protocol::grain_films{});

@@ -2,7 +2,7 @@
 # What the documentation says must be what is compiled, and what it points at must be there:
 #
 #   * every ```cpp block of docs/ is led by  <!-- snippet: file region -->  and is, to the letter, the lines of that file
-#     between  // [region]  and  // [/region],  less the indentation of the first of these marks;
+#     between  // [region]  and  // [/region]  (or // [region] again),  less the indentation of the first of these marks;
 #   * every relative link of docs/ and README.md leads to a file, and to a heading of it where there is a #;
 #   * every file in include/, examples/, tests/ or docs/ that a page names in backquotes is there;
 #   * every page  docs/....md  that a source names, for instance in an error message, is there.
@@ -44,16 +44,18 @@ function(read_region file region result)
   foreach(line IN LISTS lines)
     if(line MATCHES "^( *)// <open>(/?)([A-Za-z0-9_]+)<close> *$")
       set(indent "${CMAKE_MATCH_1}")
-      set(closing "${CMAKE_MATCH_2}")
       if(CMAKE_MATCH_3 STREQUAL region)
-        if(closing)
+        if(inside)
           break()
         endif()
         set(inside TRUE)
         set(margin "${indent}")
       endif()
     elseif(inside)
-      string(REGEX REPLACE "^${margin}" "" line "${line}")
+      string(LENGTH "${margin}" shift)
+      if(line MATCHES "^${margin} *[^ ]")
+        string(SUBSTRING "${line}" ${shift} -1 line)
+      endif()
       string(APPEND text "${line}<end>")
     endif()
   endforeach()

@@ -108,7 +108,7 @@ class wall_contacts {
     const encounter<block> e = meet(g, w, rows_.data() + k, w.drive.velocity, clock.time_step);
     memory<block> remembered = memory_.load_block(k);
     const contact_force<block> f = touch(material, e, remembered, clock.time_step);
-    memory_.store_block(k, remembered);
+    if (clock.moving) memory_.store_block(k, remembered);
     const Vec3<block> force = f.traction - f.push * e.normal;
     const Vec3<block> torque = block(e.approaching.radius_i + e.approaching.gap) * cross(e.normal, f.traction);
     for (int lane = 0; lane < lane_count; ++lane) {
@@ -117,7 +117,7 @@ class wall_contacts {
       torque_[row] = {torque.x(lane), torque.y(lane), torque.z(lane)};
       gap_[row] = e.approaching.gap(lane);
     }
-    if constexpr (Material::keeps_energy_book) work_.add(k, count_, e, f, clock.time_step, clock.velocity_lag);
+    if constexpr (Material::keeps_energy_book) work_.add(k, count_, e, f, clock);
   }
 
   std::size_t count_ = 0;

@@ -8,6 +8,7 @@ struct contact_clock {
   double time_step;      // s
   double velocity_lag;   // steps by which the velocities are older than the positions
   double overlap_limit;  // fraction of the smaller radius
+  bool moving = true;    // false where forces are only looked at: nothing is remembered and no work is done
 };
 
 }  // namespace pendular

@@ -127,7 +127,7 @@ class pair_contacts {
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
     const contact_force<block> f = touch(material, e, remembered, clock.time_step);
-    memory_.store_block(p, remembered);
+    if (clock.moving) memory_.store_block(p, remembered);
     block pull = block::Zero();
     if constexpr (wet) {
       if (bonds.any_bonded(p)) pull = bonds.attraction(p, gap);
@@ -137,7 +137,7 @@ class pair_contacts {
     store_results(p, gap, f.traction - push * e.normal, e.normal, f.traction);
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
     found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + push).sum());
-    if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock.time_step, clock.velocity_lag);
+    if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 
   void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/contact/clock.hpp>
 #include <pendular/contact/energy_book.hpp>
 #include <pendular/contact/force.hpp>
 #include <pendular/core/parallel.hpp>
@@ -35,7 +36,8 @@ class work_sums {
   }
 
   void add(std::size_t row, std::size_t rows, const encounter<block>& e, const contact_force<block>& f,
-           double time_step, double lag) {
+           const contact_clock& clock) {
+    const double time_step = clock.moving ? clock.time_step : 0, lag = clock.velocity_lag;
     const dissipative_force<block> last = last_.load_block(row);
     last_.store_block(row, {f.damping, f.traction});
     const block share = block((1 - lag) * time_step) * real_lanes(row, rows);

@@ -46,27 +46,34 @@ void check_grains(const Grains& g, const box& domain, std::int64_t step) {
 }
 
 /// Finds and reports what the evaluation of the pairs only noticed.
-template <class Grains>
-[[noreturn]] void report_pair_trouble(const Grains& g, const pair_list& list, std::span<const double> gap,
+template <class Grains, class Contacts>
+[[noreturn]] void report_pair_trouble(const Grains& g, const pair_list& list, const Contacts& contacts,
                                       double overlap_limit, std::int64_t step) {
+  const auto gap = contacts.gap();
   const auto radius = g.template get<column::radius>();
   const auto id = g.template get<column::id>();
   for (std::size_t p = 0; p < list.size(); ++p) {
     const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
     const double smaller = std::min(radius[i], radius[j]);
-    if (gap[p] > -overlap_limit * smaller) continue;
+    const vector& force = contacts.force(p);
+    if (gap[p] > -overlap_limit * smaller && std::isfinite(dot(force, force))) continue;
     if (!std::isfinite(gap[p])) {
       throw run_error(detail::at_step(id[i], step) + " and grain " + std::to_string(id[j]) +
                       " have a gap that is not finite: their centres coincide or a position is not finite (see "
                       "docs/how-to/stability.md)");
+    }
+    if (gap[p] > -overlap_limit * smaller) {
+      throw run_error(detail::at_step(id[i], step) + " and grain " + std::to_string(id[j]) + " at a gap of " +
+                      detail::number(gap[p]) + " m got a force that is not finite from a contact law: check its "
+                      "parameters and its limits (see docs/how-to/stability.md)");
     }
     throw run_error(detail::at_step(id[i], step) + " overlaps grain " + std::to_string(id[j]) + " by " +
                     detail::number(-gap[p] / smaller) + " of its radius, more than the limit of " +
                     detail::number(overlap_limit) + ": the contact is too soft for the load or the step too long (see "
                     "docs/how-to/stability.md)");
   }
-  throw run_error("a contact law returned a force that is not finite at step " + std::to_string(step) +
-                  ": check its parameters and its limit at gap 0 (see docs/how-to/stability.md)");
+  throw run_error("a law returned a value that is not finite at step " + std::to_string(step) +
+                  " for a pair without force (see docs/how-to/stability.md)");
 }
 
 }  // namespace pendular

@@ -18,13 +18,13 @@ struct willett_bridge {
   T attraction(const pendular::bridge<T>& b, const pendular::fluid& f) const {
     const T radius = T(2) * b.radius_i * b.radius_j / (b.radius_i + b.radius_j);
     const T gap = pendular::max(b.gap, T(0));  // the pull of a closed contact is that at gap 0
-    const T scaled = gap * pendular::sqrt(T(radius / b.volume));
+    const T scaled = gap * pendular::sqrt(T(radius / pendular::max(b.volume, T(pendular::tiny))));
     return T(pendular::capillary_tension(f)) * radius / (T(1) + T(1.05) * scaled + T(2.5) * scaled * scaled);
   }
 };
 
 static_assert(pendular::check::capillary_law<willett_bridge>);
-// [law]
+// [/law]
 
 int main() {
   using namespace pendular;
@@ -36,7 +36,7 @@ int main() {
   pair.add({{0, 0, 0}, radius, 2600});
   pair.add({{2 * radius - 1e-9, 0, 0}, radius, 2600});
   pair.distribute_liquid(1.25e-12);
-  // [scene]
+  // [/scene]
 
   std::puts("gap, um  bridge, nl  pull, uN  film on a bead, nl");
   for (int line = 0; line <= 14; ++line) {

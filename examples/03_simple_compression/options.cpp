@@ -33,7 +33,7 @@ void describe(CLI::App& app, options& o) {
   app.add_option("--kappa", o.surface_tension_force, "2 pi gamma_s cos(theta), N/m")->check(positive)->capture_default_str();
   app.add_option("--wall-speed", o.wall_speed, "of the upper wall, m/s")->check(positive)->capture_default_str();
   app.add_option("--duration", o.duration, "of the compression, s")->check(positive)->capture_default_str();
-  app.add_option("--time-step", o.time_step, "s; the paper has 1e-6")->check(positive)->capture_default_str();
+  app.add_option("--time-step", o.time_step, "of the test, s; the paper has 1e-6, with --mass-scaling 1")->check(positive)->capture_default_str();
   app.add_option("--mass-scaling", o.mass_scaling, "factor on the inertia of the grains, not on their weight")->check(positive)->capture_default_str();
   app.add_option("--preparation-friction", o.preparation_friction, "between grains while the sample is made; 0 is densest")
       ->check(CLI::Range(0.0, 2.0))->capture_default_str();
@@ -45,6 +45,8 @@ void describe(CLI::App& app, options& o) {
   app.add_option("--checkpoint-interval", o.checkpoint_interval, "steps")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))->capture_default_str();
   app.add_option("--snapshots", o.snapshots, "number of states written for ParaView")->check(CLI::Range(0, 10000))->capture_default_str();
+  app.add_flag_callback("--paper", [&o] { o.friction = "viscous-coulomb", o.time_step = 1e-6, o.mass_scaling = 1; },
+                        "as the paper and its companion have it: Eq. 12, 1e-6 s, mass as it is");
   app.add_flag("--resume", o.resume, "go on from the checkpoint in the output folder");
   app.add_flag("--force", o.force, "run although the scene breaks a limit of stability");
   app.add_flag("!--no-pictures", o.pictures, "leave out plots and pictures");

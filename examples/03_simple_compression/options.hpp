@@ -16,8 +16,8 @@ struct options {
   double surface_tension_force = 0.4;  // kappa = 2 pi gamma_s cos(theta), N/m
   double wall_speed = 1e-3;            // m/s
   double duration = 2;                 // s
-  double time_step = 4e-6;             // s
-  double mass_scaling = 1;
+  double time_step = 8e-6;             // s, of the test; the preparation has time_step / sqrt(mass_scaling)
+  double mass_scaling = 4;
   double preparation_friction = 0;
   std::filesystem::path packing;       // to start from, instead of making one
   std::int64_t grains = 8000;

@@ -14,7 +14,7 @@ scene::sealed_packing prepare_with(const options& o, const Material& m, const re
   scene::packing_parameters p;
   p.grains = o.grains;
   p.cylinder_radius *= std::cbrt(static_cast<double>(o.grains) / 8000.0);
-  p.time_step = o.time_step;
+  p.time_step = o.time_step / std::sqrt(o.mass_scaling);  // grains weigh what they weigh while the sample is made
   p.seed = o.seed;
   p.force = o.force;
   scene::packing<Material> packing(p, m, material{normal::linear{1e3}, damping::viscous{0.8}});

@@ -160,7 +160,7 @@ std::vector<std::string> departures(const options& o) {
   add(o.grains != paper.grains, "grains: %lld in a smaller cylinder; the paper has 8000 in 25 mm", static_cast<long long>(o.grains));
   add(o.wall_speed != paper.wall_speed, "wall speed: %g m/s; the paper has 1 mm/s", o.wall_speed);
   add(o.duration != paper.duration, "duration: %g s; the paper has 2 s", o.duration);
-  add(o.mass_scaling != 1, "mass: inertia times %g, weight as it is; the paper gives no factor", o.mass_scaling);
+  add(o.mass_scaling != 1, "mass: inertia times %g in the test, weight as it is; the paper gives no factor", o.mass_scaling);
   add(o.law != "richefeu", "capillary law: %s; the paper has Eqs. 4-11", o.law.c_str());
   add(o.thinning != 1, "bonds: one in %g kept", o.thinning);
   add(o.preparation_friction != 0, "preparation: friction %g between grains; the paper does not say", o.preparation_friction);

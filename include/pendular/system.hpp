@@ -115,8 +115,12 @@ class system {
 
   /// What the scene must keep below a bound, as it stands: time step, damping, stiffness.
   std::vector<scene_limit> limits() const {
-    std::vector<scene_limit> all{contact_step_limit(integrator_, grains_, list_, material_),
-                                 viscosity_step_limit(integrator_, grains_, list_, material_),
+    auto rigidities = detail::rigidities(grains_, list_, material_);
+    for_each_wall([&](const auto& wall, const auto& contacts) {
+      detail::add_wall(rigidities, grains_, wall, contacts, material_of(wall));
+    });
+    std::vector<scene_limit> all{contact_step_limit(integrator_, grains_, rigidities),
+                                 viscosity_step_limit(integrator_, grains_, rigidities, material_),
                                  damping_limit(grains_, material_),
                                  pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
     if constexpr (wet) {
@@ -325,7 +329,9 @@ class system {
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);
     loads_.clear(grains_.size());
     for_each_wall([&](auto& wall, auto& contacts) {
-      contacts.evaluate(grains_, wall, material_of(wall), clock);
+      if (contacts.evaluate(grains_, wall, material_of(wall), clock)) {
+        report_wall_trouble(grains_, contacts, options_.overlap_limit, steps_);
+      }
       wall.take(contacts.force_on_wall(), moving ? clock.time_step : 0);
       loads_.add(contacts);
     });

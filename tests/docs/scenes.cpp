@@ -13,15 +13,14 @@ int main() {
   scene::packing_parameters sample;
   sample.grains = 60;
   sample.cylinder_radius = 2.5e-3;
-  sample.deposition = 0.02;
-  sample.sealing = 0.01;
+  sample.deposition = sample.sealing = 0.02;
   scene::packing packing(sample, walls, walls);  // grains without friction make the densest sample
   const scene::sealed_packing sealed = packing.run({});
 
   const material grains{normal::linear{1e3}, damping::viscous{0.8}, friction::coulomb_spring{800, 0.4}, energy_book{}};
   const liquid water{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::homogeneous{1250}};
   scene::compression_parameters test{.area = sample.area()};
-  test.relaxation = 0.005;
+  test.relaxation = 0.01;
   test.lid_speed = 5e-3;
   test.duration = 0.01;
   scene::simple_compression compression(test, grains, water);
@@ -33,5 +32,6 @@ int main() {
   // [/scene]
   return result.records.size() == 10 && result.records.back().shortening > 4e-5 &&
                  result.records.back().stress > 10
-             ? EXIT_SUCCESS : EXIT_FAILURE;
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
 }

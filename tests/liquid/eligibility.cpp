@@ -151,6 +151,20 @@ TEST_CASE("random pairs get what a search through all sets finds, in any order")
   CHECK((with_gaps > 100 && without_all > 100));
 }
 
+TEST_CASE("pairs out of reach that the list happens to hold do not change the share, to the last bit") {
+  boost::random::mt19937_64 random(12);
+  boost::random::uniform_real_distribution<double> unit(0, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<candidate> all;
+    for (std::int64_t k = 0; k < 200; ++k) {
+      all.push_back({0, {0.15 * unit(random) - 0.05, 0, 0.5 + unit(random), 0.5 + unit(random)}, {k, k + 1000}});
+    }
+    const double alpha = share_homogeneously(lian, water, all, 0.5).alpha;
+    for (std::int64_t k = 200; k < 1000; ++k) all.push_back(of_gap(3 + unit(random), k));
+    CHECK(share_homogeneously(lian, water, all, 0.5).alpha == alpha);
+  }
+}
+
 TEST_CASE("more liquid takes no pair away, and a pair that joins thins the bridges but never breaks one") {
   std::vector<candidate> all;
   for (int k = 0; k < 40; ++k) all.push_back(of_gap(0.01 * (k - 2), k));

@@ -38,6 +38,23 @@ std::array<motion, 2> pair_impact(const Material& m, const grain& a, const grain
   return {motion{velocity(s, 0), spin(s, 0)}, motion{velocity(s, 1), spin(s, 1)}};
 }
 
+/// Friction laws that make visible what they are told.
+struct mass_probe {
+  template <Scalar T>
+  Vec3<T> traction(const slip<T>& s, const T&) const {
+    const T rate = T(-1e3) * s.tangential_mass;
+    return rate * s.velocity;
+  }
+};
+struct contact_probe {
+  static constexpr bool counts_contacts = true;
+  template <Scalar T>
+  Vec3<T> traction(const slip<T>& s, const T&) const {
+    const T rate = T(-1e-6) * s.contacts;
+    return rate * s.velocity;
+  }
+};
+
 // Chung and Ooi's e = 0.5 by a dashpot on approach only (physics 4.2), whose push never attracts: a two-sided one ends
 // with an attractive push, on which Coulomb's law gives no friction, and the impulse ratio would not be mu.
 constexpr double e = 0.5;
@@ -325,4 +342,30 @@ TEST_CASE("a loaded friction spring follows its contact when the pair swings rou
   const vector after = s.contacts().force(0);
   CHECK(after.z == within(2e-2, before));  // x has turned into -z, and the force on grain 0 pointed to -x
   CHECK(after.x == within(1e-2, -1e3 * 1e-6));  // the normal push
+}
+
+TEST_CASE("a friction law sees two sevenths of the reduced mass, of the grain's own at a wall") {
+  const double r = 0.5e-3, v = 1e-3, small = sphere_mass(r, 2600), large = 8 * small;
+  pendular::system s{material{normal::linear{1e3}, mass_probe{}}, floor_plane(), velocity_verlet{1e-9},
+                     run_options{.force = true}};
+  s.add({{0, 0, 10 * r}, r, 2600, {v, 0, 0}});
+  s.add({{0, 0, 13 * r}, 2 * r, 2600});
+  s.add({{0.1, 0, r}, r, 2600, {v, 0, 0}});
+  s.start();
+  CHECK(s.contacts().force(0).x == within(1e-12, -1e3 * v * 2 / 7 * small * large / (small + large)));
+  CHECK(boundary::get<0>(s.walls()).force.x == within(1e-12, 1e3 * v * 2 / 7 * small));
+}
+
+TEST_CASE("a friction law that counts contacts sees the mean of its two grains, walls included") {
+  // Floor - 0 - 1 - 2, all touching: 2, 2 and 1 contacts.
+  const double r = 0.5e-3, v = 1e-3, d = 2 * r - 1e-9;
+  pendular::system s{material{normal::linear{1e3}, contact_probe{}}, floor_plane(), velocity_verlet{1e-12},
+                     run_options{.force = true}};
+  for (int k = 0; k < 3; ++k) s.add({{0, 0, r - 1e-9 + k * d}, r, 2600, {k == 1 ? v : 0.0, 0, 0}});
+  s.run(2);
+  for (std::size_t p = 0; p < 2; ++p) {
+    const auto view = s.view();
+    const bool lower = view.id[view.grain_i(p)] == 0;
+    CHECK(s.contacts().force(p).x == within(1e-6, (lower ? 2.0 : -1.5) * 1e-6 * v));
+  }
 }

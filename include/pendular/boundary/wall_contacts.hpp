@@ -10,6 +10,7 @@
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -52,11 +53,16 @@ class wall_contacts {
     work_.carry(origin, rows_.size());
   }
 
+  /// True if a grain overlaps the wall beyond the limit or got a force that is not finite.
   template <class Grains>
-  void evaluate(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock) {
-    for_chunks(rows_.size(), work_sums::chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t k = begin; k < end; k += lane_count) evaluate_block(g, w, material, clock, k);
+  bool evaluate(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock) {
+    std::vector<char> trouble(chunk_count(rows_.size(), work_sums::chunk), 0);
+    for_chunks(rows_.size(), work_sums::chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+      bool any = false;
+      for (std::size_t k = begin; k < end; k += lane_count) any |= evaluate_block(g, w, material, clock, k);
+      trouble[c] = any ? 1 : 0;
     });
+    return std::find(trouble.begin(), trouble.end(), 1) != trouble.end();
   }
 
   std::size_t size() const { return count_; }
@@ -103,7 +109,7 @@ class wall_contacts {
   }
 
   template <class Grains>
-  void evaluate_block(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock,
+  [[nodiscard]] bool evaluate_block(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock,
                       std::size_t k) {
     const encounter<block> e = meet(g, w, rows_.data() + k, w.drive.velocity, clock.time_step);
     memory<block> remembered = memory_.load_block(k);
@@ -118,6 +124,9 @@ class wall_contacts {
       gap_[row] = e.approaching.gap(lane);
     }
     if constexpr (Material::keeps_energy_book) work_.add(k, count_, e, f, clock);
+    const block& gap = e.approaching.gap;
+    return !((gap + clock.overlap_limit * e.approaching.radius_i).minCoeff() > 0) ||
+           !std::isfinite((gap + force.x + force.y + force.z).sum());
   }
 
   std::size_t count_ = 0;

@@ -134,9 +134,10 @@ class pair_contacts {
       found.liquid_event |= bonds.has_event(p, gap);
     }
     const block push = f.push - pull;
-    store_results(p, gap, f.traction - push * e.normal, e.normal, f.traction);
+    const Vec3<block> force = f.traction - push * e.normal;
+    store_results(p, gap, force, e.normal, f.traction);
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
-    found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + push).sum());
+    found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + force.x + force.y + force.z).sum());
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 

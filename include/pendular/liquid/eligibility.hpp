@@ -90,6 +90,11 @@ homogeneous_share share_homogeneously(const Rupture& rupture, const fluid& f, co
     sizes = with_this;
     share.eligible.push_back(k);
   }
+  // Summed once more by ids: the order above depends on the range, and that on how many pairs the list happens to hold.
+  std::sort(share.eligible.begin(), share.eligible.end(),
+            [&](std::size_t a, std::size_t b) { return candidates[a].ids < candidates[b].ids; });
+  sizes = 0;
+  for (const std::size_t k : share.eligible) sizes += candidates[k].size();
   if (sizes > 0) share.alpha = liquid_volume / sizes;
   return share;
 }

@@ -95,12 +95,28 @@ std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, c
 
 }  // namespace detail
 
+namespace detail {
+/// The grains near a wall feel it as if they touched it.
+template <class Grains, class Wall, class WallContacts, class Material>
+void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const WallContacts& near,
+              const Material& material) {
+  const auto position = g.template get<column::position>();
+  const auto radius = g.template get<column::radius>();
+  const auto inverse_mass = g.template get<column::inverse_mass>();
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const std::size_t row = near.row(k);
+    const auto m = wall.shape.meet(position[row], radius[row]);
+    const approach<double> a{m.gap, 0, 1 / inverse_mass[row], radius[row], std::numeric_limits<double>::infinity()};
+    add_contact(all[row], contact_tangent<Material>::of(material, a), m.normal);
+  }
+}
+}  // namespace detail
+
 /// Time step against the stability limit of elastic contacts and dashpots. Twice the largest eigenvalue of a grain's
 /// own stiffness over its mass bounds every frequency of the packing: (a - b)^2 <= 2 a^2 + 2 b^2 at each contact.
-template <class Integration, class Grains, class Material>
-scene_limit contact_step_limit(const Integration& integrator, const Grains& g, const pair_list& list,
-                               const Material& material) {
-  const auto all = detail::rigidities(g, list, material);
+template <class Integration, class Grains>
+scene_limit contact_step_limit(const Integration& integrator, const Grains& g,
+                               const std::vector<detail::grain_rigidity>& all) {
   const auto inverse_mass = g.template get<column::inverse_mass>();
   scene_limit worst{"the time step (s), against stiffness and dashpots", integrator.time_step, HUGE_VAL};
   for (std::size_t k = 0; k < g.size(); ++k) {
@@ -115,12 +131,11 @@ scene_limit contact_step_limit(const Integration& integrator, const Grains& g, c
 /// Time step against the limit of an explicit tangential viscosity, gamma_t n dt < 2 m_t (1 m_t with synchronised
 /// velocities); a law that counts contacts is stable at any step.
 template <class Integration, class Grains, class Material>
-scene_limit viscosity_step_limit(const Integration& integrator, const Grains& g, const pair_list& list,
-                                 const Material& material) {
+scene_limit viscosity_step_limit(const Integration& integrator, const Grains& g,
+                                 const std::vector<detail::grain_rigidity>& all, const Material& material) {
   scene_limit worst{"the time step (s), against the explicit tangential viscosity", integrator.time_step, HUGE_VAL};
   if constexpr (requires { material.friction().tangential_viscosity; } && !Material::counts_contacts) {
     const auto inverse_mass = g.template get<column::inverse_mass>();
-    const auto all = detail::rigidities(g, list, material);
     for (std::size_t k = 0; k < g.size(); ++k) {
       const double rate = 7 * inverse_mass[k] * std::max(all[k].contacts, 1.0) * material.friction().tangential_viscosity;
       const double step = Integration::stable_step(0, rate);

@@ -21,7 +21,7 @@ template <class Grains, class Material>
 scene_limit damping_limit(const Grains& g, const Material& material) {
   const auto radius = g.template get<column::radius>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
-  scene_limit worst{"the damping rate of a contact (1 is critical)", 0, 1.0 - 1e-12};
+  scene_limit worst{"the damping rate of a contact (1 is critical)", 0, 1.0 - 1e-6};
   for (std::size_t k = 0; k < g.size(); ++k) {
     const double mass = 0.5 / inverse_mass[k];
     const auto t = detail::contact_tangent<Material>::of(material, {0, 0, mass, radius[k], radius[k]});

@@ -76,4 +76,26 @@ template <class Grains, class Contacts>
                   " for a pair without force (see docs/how-to/stability.md)");
 }
 
+/// The same for a wall.
+template <class Grains, class WallContacts>
+[[noreturn]] void report_wall_trouble(const Grains& g, const WallContacts& contacts, double overlap_limit,
+                                      std::int64_t step) {
+  const auto radius = g.template get<column::radius>();
+  const auto id = g.template get<column::id>();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const std::size_t row = contacts.row(k);
+    const double overlap = -contacts.gap(k) / radius[row];
+    const vector& force = contacts.force(k);
+    if (overlap < overlap_limit && std::isfinite(dot(force, force))) continue;
+    throw run_error(detail::at_step(id[row], step) + (std::isfinite(overlap) && overlap >= overlap_limit
+                        ? " overlaps a wall by " + detail::number(overlap) + " of its radius, more than the limit of " +
+                              detail::number(overlap_limit) +
+                              ": the wall is too soft for the load or the step too long (see docs/how-to/stability.md)"
+                        : " got a force that is not finite from a wall: check the wall's material and shape (see "
+                          "docs/how-to/stability.md)"));
+  }
+  throw run_error("a wall returned a value that is not finite at step " + std::to_string(step) +
+                  " (see docs/how-to/stability.md)");
+}
+
 }  // namespace pendular

@@ -291,6 +291,11 @@ class system {
     skin_ = options_.skin * small;
     double range = skin_;
     if constexpr (wet) range += std::max(bonds_.reach(view()), wanted_reach_);
+    if constexpr (wet) {
+      const std::int64_t torn = break_torn_bonds(bonds_, view(), range);
+      events_.ruptures += torn;
+      torn_ |= torn > 0;
+    }
     const double edge = 2 * large + range;
     const auto order = cell_grid(grains_.template get<column::position>(), edge).order(grains_.template get<column::id>());
     grains_.permute(order);
@@ -337,7 +342,8 @@ class system {
     });
     if constexpr (wet) {
       const auto pairs_of = [&](std::size_t grain) { return list_.pairs_of(grain); };
-      if (found.liquid_event) count(settle_bonds(bonds_, view(), contacts_.gap(), pairs_of));
+      if (found.liquid_event || torn_) count(settle_bonds(bonds_, view(), contacts_.gap(), pairs_of));
+      torn_ = false;
     }
     correct(grains_, list_, contacts_, loads_, integrator_, moving);
   }
@@ -358,7 +364,7 @@ class system {
   bond_events events_;
   std::int64_t steps_ = 0, rebuilds_ = 0;
   double skin_ = 0, wall_travel_ = 0, wanted_reach_ = 0;
-  bool stale_ = true, started_ = false;
+  bool stale_ = true, started_ = false, torn_ = false;
 };
 
 template <class... M, class... L, class Boundary, class Integration>

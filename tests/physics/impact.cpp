@@ -148,6 +148,7 @@ TEST_CASE("DEM01: a sphere falls, dips into the floor and leaves it as the close
     for (const double e : {0.6, 0.8, 0.9, 1.0}) {
       const double b = e < 1 ? damping_rate_for(e) : 0.0;
       if (k == 1e4 && e == 0.9) CHECK(b == within(2e-5, 0.033518));
+      if (k == 1e4 && e > 0.85) continue;  // the centre would go through the floor, and the overlap limit stops that
       const double omega = std::sqrt(k / mass), damped = omega * std::sqrt(1 - b * b);
       const double dt = pi / omega / 1000;
       pendular::system s{material{normal::linear{k}, damping::viscous{b}}, floor_plane(), velocity_verlet{dt, {0, 0, -g}},

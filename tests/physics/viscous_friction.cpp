@@ -126,9 +126,8 @@ TEST_CASE("in a compressed packing the stable form goes to the published one as 
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const double found = lid_stress(friction::viscous_coulomb{1, 0.4}, steps[k], speed, duration);
     error[k] = std::abs(found / truth - 1);
-    WARN("viscous_coulomb, gamma_t 1, dt " << steps[k] << ": " << found << " Pa");
   }
-  WARN("explicit, dt 1.5e-8: " << truth << " Pa; 3e-8: " << half << " Pa; without friction " << frictionless << " Pa");
+  CAPTURE(truth, half, frictionless, error);
   CHECK(half == within(1e-3, truth));
   CHECK(std::abs(frictionless / truth - 1) > 0.1);  // friction decides
   CHECK(error[0] < 0.2);

@@ -133,7 +133,7 @@ TEST_CASE("a damping rate of 1 is refused by the scene, a larger one by the law,
   CHECK_NOTHROW(try_row(material{normal::linear{1e3}, plain_dashpot{0.99 * critical}}, velocity_verlet{1e-7}));
   const std::string said =
       refusal([&] { try_row(material{normal::linear{1e3}, plain_dashpot{1.5 * critical}}, velocity_verlet{1e-7}); });
-  CHECK(mentions(said, {"damping rate", "1.5", "at most 1"}));
+  CHECK(mentions(said, {"damping rate", "1.5", "at most"}));
   CHECK_NOTHROW(try_row(material{normal::linear{1e3}, plain_dashpot{1.5 * critical}}, velocity_verlet{1e-7}, true));
 }
 

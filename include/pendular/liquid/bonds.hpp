@@ -84,8 +84,7 @@ class bonds {
     return std::max(farthest, liquid_.formation().reach(formed));
   }
 
-  /// Follows the pairs into a new list. A bridge whose pair is no longer listed gives its liquid to its grains' films;
-  /// the list's range makes that impossible for bridges that are not broken.
+  /// Follows the pairs into a new list. Every bridge must have its pair there: the range of the list sees to it.
   void carry(std::span<const std::int32_t> origin, const pair_view& view) {
     const std::size_t rows = view.first.size();
     if (!ledger_.carry_bonds(origin, rows).empty()) {

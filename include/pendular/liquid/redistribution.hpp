@@ -92,6 +92,19 @@ std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_vi
 
 }  // namespace detail
 
+/// Bridges torn in one step beyond the range of the list that is about to be made break here, before they lose their
+/// pair; all others wait for settle_bonds. Answers how many.
+template <class Liquid>
+std::int64_t break_torn_bonds(bonds<Liquid>& b, const pair_view& view, double range) {
+  std::int64_t torn = 0;
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    if (!b.is_bonded(p) || view.gap(p) < range) continue;
+    detail::break_bond(b, p, view.gap(p), view);
+    ++torn;
+  }
+  return torn;
+}
+
 /// Ruptures and formations of one step: bridges beyond their rupture distance give their liquid to the films of their
 /// grains, then a local protocol moves films into bonds. `pairs_of(grain)` lists the pairs of a grain by partner id,
 /// so the result depends neither on the order of the pairs nor on the number of threads.

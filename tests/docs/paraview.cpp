@@ -52,7 +52,7 @@ int main() {
   for (int k = 0; k < 5; ++k) s.add({.position = {0, 0, 0.5e-3 + 1e-3 * k}, .radius = 0.5e-3, .density = 2700});
   s.distribute_liquid(4 * 0.01 * 0.125e-9);
   // [series]
-  const std::filesystem::path folder = "docs_paraview";
+  const std::filesystem::path folder = "docs_output/paraview";
   io::collection series(folder / "grains.pvd");
   for (int frame = 0; frame < 4; ++frame) {
     const auto file = folder / ("grains_" + std::to_string(frame) + ".vtp");

@@ -42,7 +42,7 @@ auto resumed(const std::filesystem::path& path) {
 // [/load]
 
 int main() {
-  const std::filesystem::path path = "docs_resume/column.bin";
+  const std::filesystem::path path = "docs_output/resume/column.bin";
   auto s = empty_scene();
   for (int k = 0; k < 20; ++k) {
     const double side = 1e-4 * (k % 3), height = 0.5e-3 + 1.02e-3 * k;

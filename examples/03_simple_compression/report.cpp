@@ -15,6 +15,8 @@
 #include <fstream>
 #include <iostream>
 #include <numeric>
+#include <sstream>
+#include <stdexcept>
 
 namespace {
 
@@ -147,26 +149,26 @@ peak find_peak(const records& lines) {
 
 std::vector<std::string> departures(const options& o) {
   std::vector<std::string> list;
-  const options paper;
-  char text[240];
-  const auto add = [&](bool differs, const char* format, auto... values) {
-    if (!differs) return;
-    std::snprintf(text, sizeof text, format, values...);
-    list.emplace_back(text);
+  const options usual;
+  const auto add = [&](bool differs, const auto&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    if (differs) list.push_back(text.str());
   };
   add(o.friction == "coulomb-spring", "friction: tangential spring of 800 N/m with Coulomb limit; the paper has Eq. 12");
-  add(o.friction == "viscous-coulomb", "friction: Eq. 12 in this library's form that is stable at any step%s", "");
-  add(o.time_step != 1e-6, "time step: %g s; the companion paper has 1e-6 s", o.time_step);
-  add(o.grains != paper.grains, "grains: %lld in a smaller cylinder; the paper has 8000 in 25 mm", static_cast<long long>(o.grains));
-  add(o.wall_speed != paper.wall_speed, "wall speed: %g m/s; the paper has 1 mm/s", o.wall_speed);
-  add(o.duration != paper.duration, "duration: %g s; the paper has 2 s", o.duration);
-  add(o.mass_scaling != 1, "mass: inertia times %g in the test, weight as it is; the paper gives no factor", o.mass_scaling);
-  add(o.law != "richefeu", "capillary law: %s; the paper has Eqs. 4-11", o.law.c_str());
-  add(o.thinning != 1, "bonds: one in %g kept", o.thinning);
-  add(o.preparation_friction != 0, "preparation: friction %g between grains; the paper does not say", o.preparation_friction);
-  add(o.surface_tension_force != paper.surface_tension_force, "kappa: %g N/m; the companion paper has 0.4", o.surface_tension_force);
-  add(true, "damping: two-sided in contact, sign of Eq. 3 corrected (companion paper)%s", "");
-  add(true, "time step rule: 10 %% of pi sqrt(m/k) for the paper's \"10 %% below\"%s", "");
+  add(o.friction == "viscous-coulomb", "friction: Eq. 12 in this library's form that is stable at any step");
+  add(o.time_step != 1e-6, "time step: ", o.time_step, " s; the companion paper has 1e-6 s");
+  add(o.mass_scaling != 1, "mass: inertia times ", o.mass_scaling, " in the test, weight as it is; the paper gives no factor");
+  add(o.grains != usual.grains, "grains: ", o.grains, " in a smaller cylinder; the paper has 8000 in 25 mm");
+  add(o.wall_speed != usual.wall_speed, "wall speed: ", o.wall_speed, " m/s; the paper has 1 mm/s");
+  add(o.duration != usual.duration, "duration: ", o.duration, " s; the paper has 2 s");
+  add(o.law != usual.law, "capillary law: ", o.law, "; the paper has Eqs. 4-11");
+  add(o.thinning != 1, "bonds: one in ", o.thinning, " kept");
+  add(o.preparation_friction != 0, "preparation: friction ", o.preparation_friction, " between grains; the paper does not say");
+  add(o.surface_tension_force != usual.surface_tension_force, "kappa: ", o.surface_tension_force,
+      " N/m; the companion paper has 0.4");
+  add(true, "damping: two-sided in contact, sign of Eq. 3 corrected (companion paper)");
+  add(true, "time step rule: 10 % of pi sqrt(m/k) for the paper's \"10 % below\"");
   return list;
 }
 

@@ -16,8 +16,8 @@ namespace pendular {
 
 /// Work of the dissipative forces of a list of contacts, summed per chunk so that the total does not depend on the
 /// threads. An integrator whose forces see a velocity `lag` steps old has moved the grains by that velocity times the
-/// step, so the force that did the work is the mean of this and the last one, weighted by the lag: with half-step
-/// velocities the books then close to round-off and not only to first order in the step.
+/// step, so the force that did the work is the mean of this and the last one, weighted by the lag: the books then
+/// close to second order in the step.
 class work_sums {
  public:
   template <class T>

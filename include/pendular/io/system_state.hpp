@@ -131,6 +131,88 @@ void get_liquid(const checkpoint_reader& in, System& s, const std::vector<std::s
   s.bridges().restore_work(books.at(3));
 }
 
+template <class System>
+void put_walls(checkpoint_writer& out, const System& s) {
+  const auto view = s.view();
+  std::size_t index = 0;
+  s.for_each_wall([&](const auto& wall, const auto& contacts) {
+    const std::string name = "wall." + std::to_string(index++);
+    std::vector<double> state;
+    const auto keep = [&](const double& v) { state.push_back(v); };
+    for_each_scalar<double>(wall.shape, keep);
+    for_each_scalar<double>(wall.drive, keep);
+    for_each_scalar<double>(wall.force, keep);
+    const auto done = contacts.work().total();
+    state.insert(state.end(), {wall.work, done.damping, done.friction});
+    out.put(name, state);
+    const auto key = [&](std::size_t k, std::vector<std::int64_t>& keys) { keys.push_back(view.id[contacts.row(k)]); };
+    put_memories(out, name + ".memory", contacts.memories(), contacts.size(), key);
+    if constexpr (requires { contacts.work().last_forces(); }) {
+      put_memories(out, name + ".last_force", contacts.work().last_forces(), contacts.size(), key);
+    }
+  });
+}
+
+template <class Grains>
+void get_grains(const checkpoint_reader& in, Grains& g) {
+  const auto count = static_cast<std::size_t>(in.get<std::uint64_t>("system.grains"));
+  g.resize(count);
+  for_each_column<Grains>([&](const std::string& name, auto column) {
+    fill<decltype(column)>(g, in.get<std::vector<double>>(name));
+  });
+  const auto ids = g.template get<column::id>();
+  for (std::size_t k = 0; k < count; ++k) ids[k] = static_cast<std::int64_t>(k);
+}
+
+template <class System>
+void get_walls(const checkpoint_reader& in, System& s) {
+  std::size_t index = 0;
+  s.for_each_wall([&](auto& wall, auto& contacts) {
+    const auto state = in.get<std::vector<double>>("wall." + std::to_string(index++));
+    std::size_t k = 0;
+    const auto restore = [&](double& v) { v = state.at(k++); };
+    for_each_scalar<double>(wall.shape, restore);
+    for_each_scalar<double>(wall.drive, restore);
+    for_each_scalar<double>(wall.force, restore);
+    wall.work = state.at(k);
+    contacts.work().restore({state.at(k + 1), state.at(k + 2)});
+  });
+}
+
+/// Sets the clock and lists the neighbours, wide enough for the bridges that are still to be put back.
+template <class System>
+void list_again(const checkpoint_reader& in, System& s) {
+  const auto steps = in.get<std::int64_t>("system.steps");
+  if constexpr (System::wet) {
+    auto& book = s.bridges().book();
+    const auto films = in.get<std::vector<double>>("liquid.films");
+    book.resize_films(films.size());
+    for (std::size_t k = 0; k < films.size(); ++k) book.restore(ledger::film_of(k), films[k]);
+    const auto events = in.get<std::vector<std::int64_t>>("liquid.events");
+    const double thinning = in.get<std::vector<double>>("liquid.selection").at(0);
+    s.resume_at(steps, {thinning, in.get<std::uint64_t>("liquid.seed")}, {events.at(0), events.at(1)});
+    s.canonicalise(in.get<double>("liquid.reach"));
+  } else {
+    s.resume_at(steps, {}, {});
+    s.canonicalise();
+  }
+}
+
+template <class System>
+void get_wall_memories(const checkpoint_reader& in, System& s, const std::vector<std::size_t>& rows) {
+  std::size_t index = 0;
+  s.for_each_wall([&](auto&, auto& contacts) {
+    std::vector<std::size_t> place(rows.size(), rows.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k) place[contacts.row(k)] = k;
+    const std::string name = "wall." + std::to_string(index++);
+    const auto row = [&](const std::int64_t* key) { return place.at(rows.at(static_cast<std::size_t>(*key))); };
+    get_memories(in, name + ".memory", contacts.memories(), 1, row);
+    if constexpr (requires { contacts.work().last_forces(); }) {
+      get_memories(in, name + ".last_force", contacts.work().last_forces(), 1, row);
+    }
+  });
+}
+
 }  // namespace detail
 
 /// Writes the whole state of a system; call System::canonicalise() first, so that the run that goes on and the run that
@@ -154,23 +236,7 @@ void save(checkpoint_writer& out, const System& s) {
   const auto work = s.contacts().work().total();
   out.put("pair.work", std::vector<double>{work.damping, work.friction});
   if constexpr (System::wet) detail::put_liquid(out, s);
-  std::size_t index = 0;
-  s.for_each_wall([&](const auto& wall, const auto& contacts) {
-    const std::string name = "wall." + std::to_string(index++);
-    std::vector<double> state;
-    const auto keep = [&](const double& v) { state.push_back(v); };
-    for_each_scalar<double>(wall.shape, keep);
-    for_each_scalar<double>(wall.drive, keep);
-    for_each_scalar<double>(wall.force, keep);
-    const auto done = contacts.work().total();
-    state.insert(state.end(), {wall.work, done.damping, done.friction});
-    out.put(name, state);
-    const auto key = [&](std::size_t k, std::vector<std::int64_t>& keys) { keys.push_back(view.id[contacts.row(k)]); };
-    detail::put_memories(out, name + ".memory", contacts.memories(), contacts.size(), key);
-    if constexpr (requires { contacts.work().last_forces(); }) {
-      detail::put_memories(out, name + ".last_force", contacts.work().last_forces(), contacts.size(), key);
-    }
-  });
+  detail::put_walls(out, s);
 }
 
 /// Puts the state back into a system of the same composition that has no grains yet.
@@ -181,59 +247,19 @@ void load(const checkpoint_reader& in, System& s) {
     throw std::runtime_error("the checkpoint was written by a scene of other laws, protocol or walls: resume with the "
                              "options it was started with");
   }
-  auto& g = s.particles();
-  const auto count = static_cast<std::size_t>(in.get<std::uint64_t>("system.grains"));
-  g.resize(count);
-  detail::for_each_column<typename System::grains_type>([&](const std::string& name, auto column) {
-    detail::fill<decltype(column)>(g, in.get<std::vector<double>>(name));
-  });
-  const auto ids = g.template get<column::id>();
-  for (std::size_t k = 0; k < count; ++k) ids[k] = static_cast<std::int64_t>(k);
-  std::size_t index = 0;
-  s.for_each_wall([&](auto& wall, auto& contacts) {
-    const auto state = in.get<std::vector<double>>("wall." + std::to_string(index++));
-    std::size_t k = 0;
-    const auto restore = [&](double& v) { v = state.at(k++); };
-    for_each_scalar<double>(wall.shape, restore);
-    for_each_scalar<double>(wall.drive, restore);
-    for_each_scalar<double>(wall.force, restore);
-    wall.work = state.at(k);
-    contacts.work().restore({state.at(k + 1), state.at(k + 2)});
-  });
+  detail::get_grains(in, s.particles());
+  detail::get_walls(in, s);
   const auto work = in.get<std::vector<double>>("pair.work");
   s.contacts().work().restore({work.at(0), work.at(1)});
-  if constexpr (System::wet) {
-    auto& book = s.bridges().book();
-    book.resize_films(count);
-    const auto films = in.get<std::vector<double>>("liquid.films");
-    for (std::size_t k = 0; k < count; ++k) book.restore(ledger::film_of(k), films.at(k));
-    const auto events = in.get<std::vector<std::int64_t>>("liquid.events");
-    s.resume_at(in.get<std::int64_t>("system.steps"),
-                {in.get<std::vector<double>>("liquid.selection").at(0), in.get<std::uint64_t>("liquid.seed")},
-                {events.at(0), events.at(1)});
-    s.canonicalise(in.get<double>("liquid.reach"));
-  } else {
-    s.resume_at(in.get<std::int64_t>("system.steps"), {}, {});
-    s.canonicalise();
-  }
-  const auto rows = g.rows_by_id();
+  detail::list_again(in, s);
+  const auto rows = s.particles().rows_by_id();
   if constexpr (System::wet) detail::get_liquid(in, s, rows);
   const auto pair_row = [&](const std::int64_t* key) { return detail::pair_of(s, rows, key); };
   detail::get_memories(in, "pair.memory", s.contacts().memories(), 2, pair_row);
   if constexpr (System::material_type::keeps_energy_book) {
     detail::get_memories(in, "pair.last_force", s.contacts().work().last_forces(), 2, pair_row);
   }
-  index = 0;
-  s.for_each_wall([&](auto&, auto& contacts) {
-    std::vector<std::size_t> place(count, count);
-    for (std::size_t k = 0; k < contacts.size(); ++k) place[contacts.row(k)] = k;
-    const std::string name = "wall." + std::to_string(index++);
-    const auto row = [&](const std::int64_t* key) { return place.at(rows.at(static_cast<std::size_t>(*key))); };
-    detail::get_memories(in, name + ".memory", contacts.memories(), 1, row);
-    if constexpr (requires { contacts.work().last_forces(); }) {
-      detail::get_memories(in, name + ".last_force", contacts.work().last_forces(), 1, row);
-    }
-  });
+  detail::get_wall_memories(in, s, rows);
 }
 
 }  // namespace pendular::io

@@ -20,9 +20,9 @@ namespace {
 
 using namespace pendular;
 
-constexpr double radius = 0.5e-3;                                // m
-constexpr double volume = 0.01 * radius * radius * radius;       // of the bridge, m3
-constexpr double speed = 1e-3, step = 1e-5;                      // m/s, s
+constexpr double radius = 0.5e-3;                           // m
+constexpr double volume = 0.01 * radius * radius * radius;  // of the bridge, m3
+constexpr double speed = 1e-3, step = 1e-5;                 // m/s, s
 
 /// Eq. 10 for equal spheres and theta = 0, written out once more by hand.
 double printed_force(double gap) {
@@ -75,7 +75,8 @@ int main(int argc, char** argv) {
   const auto half = static_cast<std::ptrdiff_t>((steps + 19) / 20);
   const auto part = [&](const char* name, bool first) {
     const auto& all = cycle[name];
-    return first ? std::vector<double>(all.begin(), all.begin() + half) : std::vector<double>(all.begin() + half, all.end());
+    return first ? std::vector<double>(all.begin(), all.begin() + half)
+                 : std::vector<double>(all.begin() + half, all.end());
   };
   picture.curves = {{"pulled apart", part("gap_um", true), part("attraction_uN", true), io::curve_style::points},
                     {"pushed together", part("gap_um", false), part("attraction_uN", false), io::curve_style::lines},

@@ -19,10 +19,10 @@ struct options {
   double time_step = 8e-6;             // s, of the test; the preparation has time_step / sqrt(mass_scaling)
   double mass_scaling = 4;
   double preparation_friction = 0;
-  std::filesystem::path packing;       // to start from, instead of making one
+  std::filesystem::path packing;  // to start from, instead of making one
   std::int64_t grains = 8000;
   std::uint64_t seed = 1;
-  int threads = 0;                     // 0: as many as the machine has
+  int threads = 0;                           // 0: as many as the machine has
   std::int64_t checkpoint_interval = 50000;  // steps
   int snapshots = 8;
   bool resume = false;

@@ -10,7 +10,8 @@ namespace {
 using namespace pendular;
 
 template <class Material>
-scene::sealed_packing prepare_with(const options& o, const Material& m, const restart& from, const scene::monitor& watch) {
+scene::sealed_packing prepare_with(const options& o, const Material& m, const restart& from,
+                                   const scene::monitor& watch) {
   scene::packing_parameters p;
   p.grains = o.grains;
   p.cylinder_radius *= std::cbrt(static_cast<double>(o.grains) / 8000.0);
@@ -40,7 +41,8 @@ scene::sealed_packing prepare(const options& o, const restart& from, const scene
   const normal::linear elastic{1e3};
   const damping::viscous dashpot{0.8};
   if (o.preparation_friction > 0) {
-    return prepare_with(o, material{elastic, dashpot, friction::coulomb_spring{800, o.preparation_friction}}, from, watch);
+    return prepare_with(o, material{elastic, dashpot, friction::coulomb_spring{800, o.preparation_friction}}, from,
+                        watch);
   }
   return prepare_with(o, material{elastic, dashpot}, from, watch);
 }

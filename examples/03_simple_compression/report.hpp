@@ -22,14 +22,14 @@ struct snapshot {
 
 /// Everything the summary needs besides the result.
 struct run_facts {
-  double wall_time = 0;           // of all stages in this program, s
-  double compression_time = 0;    // of the compression in this program, s
+  double wall_time = 0;         // of all stages in this program, s
+  double compression_time = 0;  // of the compression in this program, s
   std::int64_t compression_steps = 0;
   int threads = 1;
   std::int64_t ruptures = 0, formations = 0;
-  double liquid_volume = 0;       // introduced, m3
-  double largest_bridge = 0;      // V_b / R^3 at the end
-  double mean_diameter = 0;       // m
+  double liquid_volume = 0;         // introduced, m3
+  double largest_bridge = 0;        // V_b / R^3 at the end
+  double mean_diameter = 0;         // m
   std::vector<std::string> limits;  // of stability, as checked
   pendular::observe::energies energy_at_end;
 };

@@ -74,7 +74,8 @@ snapshot take(const System& s, const std::vector<vector>& reference, double time
   for (const std::size_t row : g.rows_by_id()) {
     const vector x = view.position[row], moved = x - reference[id++];
     shot.x.push_back(x.x), shot.y.push_back(x.y), shot.z.push_back(x.z);
-    shot.displacement_x.push_back(moved.x), shot.displacement_y.push_back(moved.y), shot.displacement_z.push_back(moved.z);
+    shot.displacement_x.push_back(moved.x), shot.displacement_y.push_back(moved.y),
+        shot.displacement_z.push_back(moved.z);
     shot.radius.push_back(view.radius[row]);
     shot.displacement.push_back(norm(moved));
     shot.liquid.push_back(liquid[row] + book.films()[row]);
@@ -83,7 +84,8 @@ snapshot take(const System& s, const std::vector<vector>& reference, double time
 }
 
 template <class Scene>
-run_facts facts(const options& o, const Scene& scene, double began, double compression_began, std::size_t lines_before) {
+run_facts facts(const options& o, const Scene& scene, double began, double compression_began,
+                std::size_t lines_before) {
   const auto& s = scene.sample();
   const auto view = s.view();
   run_facts f;
@@ -102,8 +104,8 @@ run_facts facts(const options& o, const Scene& scene, double began, double compr
     f.largest_bridge = std::max(f.largest_bridge, s.bridges().book().bonds()[p] / s.bridges().bond_size(p, view));
   }
   for (const scene_limit& l : s.limits()) {
-    f.limits.push_back(l.what + " " + pendular::detail::number(l.value) + ", bound " + pendular::detail::number(l.bound) +
-                       (l.holds() ? "" : " BROKEN"));
+    f.limits.push_back(l.what + " " + pendular::detail::number(l.value) + ", bound " +
+                       pendular::detail::number(l.bound) + (l.holds() ? "" : " BROKEN"));
   }
   f.energy_at_end = observe::energies_of(s);
   return f;
@@ -145,7 +147,8 @@ void with_law(const options& o, const Material& m, const Law& law, const restart
   const auto go = [&](const auto& protocol) {
     run(o, m, liquid{water(o), law, rupture::lian{}, protocol}, from, watch);
   };
-  if (o.protocol == "homogeneous") return go(protocol::homogeneous{std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step))});
+  if (o.protocol == "homogeneous")
+    return go(protocol::homogeneous{std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step))});
   if (o.protocol == "neighbours") return go(protocol::neighbours{});
   if (o.protocol == "grain-films") return go(protocol::grain_films{});
   if (o.protocol == "gravity") return go(protocol::gravity{});

@@ -84,13 +84,13 @@ class system {
   using contacts_type = pair_contacts<Material, bonds_type>;
   static constexpr bool wet = !std::is_same_v<Liquid, dry>;
 
-  system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i, run_options options = {})
-    requires(!std::is_same_v<Liquid, dry>)
+  system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
+         run_options options = {}) requires(!std::is_same_v<Liquid, dry>)
       : material_(m), bonds_(l), walls_(b), integrator_(i), options_(options) {
     check_arguments();
   }
-  system(const Material& m, const Boundary& b, const Integration& i, run_options options = {})
-    requires(std::is_same_v<Liquid, dry>)
+  system(const Material& m, const Boundary& b, const Integration& i,
+         run_options options = {}) requires(std::is_same_v<Liquid, dry>)
       : material_(m), walls_(b), integrator_(i), options_(options) {
     check_arguments();
   }
@@ -119,10 +119,10 @@ class system {
     for_each_wall([&](const auto& wall, const auto& contacts) {
       detail::add_wall(rigidities, grains_, wall, contacts, material_of(wall));
     });
-    std::vector<scene_limit> all{contact_step_limit(integrator_, grains_, rigidities),
-                                 viscosity_step_limit(integrator_, grains_, rigidities, material_),
-                                 damping_limit(grains_, material_),
-                                 pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
+    std::vector<scene_limit> all{
+        contact_step_limit(integrator_, grains_, rigidities),
+        viscosity_step_limit(integrator_, grains_, rigidities, material_), damping_limit(grains_, material_),
+        pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
     if constexpr (wet) {
       all.push_back(capillary_step_limit(integrator_, grains_, view(), bonds_));
       all.push_back(bridge_softness_limit(grains_, material_, view(), bonds_));
@@ -138,9 +138,7 @@ class system {
   }
 
   /// Puts liquid of the given volume, m3, between all eligible pairs (Richefeu et al. 2007, Eqs. 13-14).
-  void distribute_liquid(double volume, bond_selection selection = {})
-    requires(!std::is_same_v<Liquid, dry>)
-  {
+  void distribute_liquid(double volume, bond_selection selection = {}) requires(!std::is_same_v<Liquid, dry>) {
     validate(selection);
     start();
     bonds_.book().introduce(volume);
@@ -179,8 +177,13 @@ class system {
   pair_view view() const {
     const double g = norm(integrator_.gravity);
     const vector up = g > 0 ? (-1.0 / g) * integrator_.gravity : vector{0, 0, 0};
-    return {list_.first(), list_.second(), list_.size(), grains_.template get<column::position>(),
-            grains_.template get<column::radius>(), grains_.template get<column::id>(), up};
+    return {list_.first(),
+            list_.second(),
+            list_.size(),
+            grains_.template get<column::position>(),
+            grains_.template get<column::radius>(),
+            grains_.template get<column::id>(),
+            up};
   }
 
   /// The wall's own material, or the grains'.
@@ -210,6 +213,7 @@ class system {
     wanted_reach_ = reach;
     rebuild();
     wanted_reach_ = 0;
+    contacts_.recall_gap(view());
     contacts_.work().fold();
     for_each_wall([](auto&, auto& contacts) { contacts.work().fold(); });
   }
@@ -229,7 +233,8 @@ class system {
     constexpr auto count = std::tuple_size_v<std::remove_cvref_t<decltype(self.walls_.all)>>;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (visit(std::get<I>(self.walls_.all), std::get<I>(self.wall_contacts_)), ...);
-    }(std::make_index_sequence<count>{});
+    }
+    (std::make_index_sequence<count>{});
   }
 
   void check_arguments() const {
@@ -297,7 +302,8 @@ class system {
       torn_ |= torn > 0;
     }
     const double edge = 2 * large + range;
-    const auto order = cell_grid(grains_.template get<column::position>(), edge).order(grains_.template get<column::id>());
+    const auto order =
+        cell_grid(grains_.template get<column::position>(), edge).order(grains_.template get<column::id>());
     grains_.permute(order);
     const auto position = grains_.template get<column::position>();
     const auto origin = list_.rebuild(position, grains_.template get<column::radius>(),
@@ -314,9 +320,7 @@ class system {
     ++rebuilds_;
   }
 
-  void redistribute()
-    requires(!std::is_same_v<Liquid, dry>)
-  {
+  void redistribute() requires(!std::is_same_v<Liquid, dry>) {
     wanted_reach_ = homogeneous_reach(bonds_, view(), candidates(view(), selection_), bonds_.book().introduced());
     if (list_.range() < wanted_reach_ + skin_) rebuild();
     wanted_reach_ = 0;
@@ -342,7 +346,7 @@ class system {
     });
     if constexpr (wet) {
       const auto pairs_of = [&](std::size_t grain) { return list_.pairs_of(grain); };
-      if (found.liquid_event || torn_) count(settle_bonds(bonds_, view(), contacts_.gap(), pairs_of));
+      if (found.liquid_event || torn_) count(settle_bonds(bonds_, view(), contacts_.gaps(), pairs_of));
       torn_ = false;
     }
     correct(grains_, list_, contacts_, loads_, integrator_, moving);

@@ -112,9 +112,9 @@ TEST_CASE("a wall pushes the grains that overlap it, and they push back with the
   using floor = wall<plane>;
   using stiff = material<normal::linear, friction::coulomb_spring>;
   grains<true, false> g;
-  g.add({{0, 0, 0.9}, 1, 1000, {0.1, 0, 0}});   // 0.1 into the floor, sliding
-  g.add({{9, 0, 1.5}, 1, 1000});                // near
-  g.add({{0, 9, 30}, 1, 1000});                 // far
+  g.add({{0, 0, 0.9}, 1, 1000, {0.1, 0, 0}});           // 0.1 into the floor, sliding
+  g.add({{9, 0, 1.5}, 1, 1000});                        // near
+  g.add({{0, 9, 30}, 1, 1000});                         // far
   g.add({{0, 0, 1.8}, 2, 1000, {0, 0, 0}, {0, 3, 0}});  // 0.2 into it, turning about y
   const floor w{plane{{0, 0, 0}, {0, 0, 1}}};
   const stiff m{normal::linear{50}, friction::coulomb_spring{1000, 0.5}};
@@ -167,6 +167,6 @@ TEST_CASE("a wall that moves counts the slip and the approach relative to itself
   boundary::wall_contacts<belt, damped> contacts;
   contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0});
   contacts.evaluate(g, w, m, {1e-3, 0, 0.5});
-  CHECK(contacts.force(0).z == within(1e-12, 5));     // no approach
-  CHECK(contacts.force(0).x == within(1e-12, 0.2));   // dragged along
+  CHECK(contacts.force(0).z == within(1e-12, 5));    // no approach
+  CHECK(contacts.force(0).x == within(1e-12, 0.2));  // dragged along
 }

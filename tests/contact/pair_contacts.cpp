@@ -64,7 +64,8 @@ TEST_CASE("friction opposes slip and turns both grains the same way") {
 }
 
 TEST_CASE("grains that do not touch exert nothing, and padding is not counted") {
-  auto s = scene_of(material{normal::linear{100}, damping::viscous{0.5}, friction::viscous_coulomb{10, 0.5}, energy_book{}});
+  auto s =
+      scene_of(material{normal::linear{100}, damping::viscous{0.5}, friction::viscous_coulomb{10, 0.5}, energy_book{}});
   s.add({{0, 0, 0}, 1, kilogram, {1, 1, 0}, {1, 2, 3}});
   s.add({{2.05, 0, 0}, 1, kilogram, {-1, 0, 0}});
   s.add({{0, 0, 1.9}, 1, kilogram});
@@ -79,7 +80,8 @@ TEST_CASE("grains that do not touch exert nothing, and padding is not counted") 
 
 TEST_CASE("looking at the forces of a scene twice changes nothing in it: no time has passed") {
   // What the start evaluates must not draw springs or dissipate work, for grains that have not moved yet.
-  auto s = scene_of(material{normal::linear{100}, damping::viscous{0.5}, friction::coulomb_spring{1000, 0.5}, energy_book{}});
+  auto s = scene_of(
+      material{normal::linear{100}, damping::viscous{0.5}, friction::coulomb_spring{1000, 0.5}, energy_book{}});
   s.add({{0, 0, 0}, 1, kilogram, {0.1, 1, 0}});
   s.add({{1.9, 0, 0}, 1, kilogram});
   s.start();
@@ -91,8 +93,9 @@ TEST_CASE("looking at the forces of a scene twice changes nothing in it: no time
 TEST_CASE("the work of dashpot and friction is what leaves the motion") {
   // A short glancing collision: kinetic + elastic + spring + dissipated stays.
   for (const double time_step : {1e-4, 5e-5}) {
-    pendular::system s{material{normal::linear{1e4}, damping::viscous{0.2}, friction::coulomb_spring{8e3, 0.5}, energy_book{}},
-                       boundary::walls{}, half_step_velocity_verlet{time_step}, unchecked};
+    pendular::system s{
+        material{normal::linear{1e4}, damping::viscous{0.2}, friction::coulomb_spring{8e3, 0.5}, energy_book{}},
+        boundary::walls{}, half_step_velocity_verlet{time_step}, unchecked};
     s.add({{0, 0, 0}, 1, kilogram, {1, 0.3, 0}, {0, 0, 1}});
     s.add({{2.02, 0.1, 0}, 1, kilogram, {-1, 0, 0.2}});
     s.start();
@@ -115,7 +118,8 @@ TEST_CASE("the work of dashpot and friction is what leaves the motion") {
 
 TEST_CASE("an overlap beyond the limit and coinciding centres stop the run, named by grain and step") {
   const auto message = [](double distance) -> std::string {
-    pendular::system s{material{normal::linear{100}}, boundary::walls{}, velocity_verlet{1e-3}, run_options{.force = true}};
+    pendular::system s{material{normal::linear{100}}, boundary::walls{}, velocity_verlet{1e-3},
+                       run_options{.force = true}};
     s.add({{0, 0, 0}, 1, kilogram});
     s.add({{50, 0, 0}, 1, kilogram});
     s.add({{distance, 0, 0}, 1, kilogram});
@@ -132,7 +136,8 @@ TEST_CASE("an overlap beyond the limit and coinciding centres stop the run, name
 }
 
 TEST_CASE("a grain that no wall holds is lost with a message that says where") {
-  pendular::system s{material{normal::linear{100}}, boundary::walls{}, velocity_verlet{1e-3}, run_options{.domain_margin = 0.1, .force = true}};
+  pendular::system s{material{normal::linear{100}}, boundary::walls{}, velocity_verlet{1e-3},
+                     run_options{.domain_margin = 0.1, .force = true}};
   s.add({{0, 0, 0}, 1, kilogram, {0, 0, 0}});
   s.add({{5, 0, 0}, 1, kilogram, {0, 0, 1e4}});
   try {

@@ -108,7 +108,8 @@ TEST_CASE("the spring of a contact is laid down before it is stretched on") {
 
 TEST_CASE("a material hands out its own policies and validates them") {
   const material m{dashpot, rough, spring, energy_book{}};
-  CHECK((m.normal().normal_stiffness == 100 && m.damping().damping_rate == 0.25 && m.friction().friction_coefficient == 0.5));
+  CHECK((m.normal().normal_stiffness == 100 && m.damping().damping_rate == 0.25 &&
+         m.friction().friction_coefficient == 0.5));
   CHECK_THROWS_AS((material{normal::linear{-1}}), input_error);
   CHECK_THROWS_AS((material{spring, damping::viscous{-0.1}}), input_error);
   CHECK_THROWS_AS((material{friction::coulomb_spring{1, -1}, spring}), input_error);

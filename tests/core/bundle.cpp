@@ -8,13 +8,26 @@
 using namespace pendular;
 
 namespace {
-struct singer { int voice; };
-struct dancer { int step; };
-struct star { int voice; int step; };  // plays both roles
+struct singer {
+  int voice;
+};
+struct dancer {
+  int step;
+};
+struct star {
+  int voice;
+  int step;
+};  // plays both roles
 
-inline constexpr auto sings = []<class P>() { return requires(P p) { p.voice; }; };
-inline constexpr auto dances = []<class P>() { return requires(P p) { p.step; }; };
-inline constexpr auto paints = []<class P>() { return requires(P p) { p.brush; }; };
+inline constexpr auto sings = []<class P>() {
+  return requires(P p) { p.voice; };
+};
+inline constexpr auto dances = []<class P>() {
+  return requires(P p) { p.step; };
+};
+inline constexpr auto paints = []<class P>() {
+  return requires(P p) { p.brush; };
+};
 
 static_assert(detail::players<sings, singer, dancer, none>() == 1 && detail::players<sings>() == 0);
 static_assert(detail::players<sings, singer, star, singer>() == 3);

@@ -10,9 +10,15 @@
 using namespace pendular;
 
 namespace {
-struct weight { using type = double; };
-struct label { using type = std::int64_t; };
-struct colour { using type = int; };
+struct weight {
+  using type = double;
+};
+struct label {
+  using type = std::int64_t;
+};
+struct colour {
+  using type = int;
+};
 using table = columns<weight, label>;
 
 static_assert(table::has<weight> && table::has<label> && !table::has<colour>);

@@ -11,13 +11,31 @@ using namespace pendular;
 
 namespace {
 struct nothing {};
-struct one { double a; };
-struct two { double a; one b; };
-struct nested { Vec3<double> direction; double length; two rest; };
-struct eight { double a, b, c, d, e, f, g, h; };
-struct mixed { double a; int count; double b; };
+struct one {
+  double a;
+};
+struct two {
+  double a;
+  one b;
+};
+struct nested {
+  Vec3<double> direction;
+  double length;
+  two rest;
+};
+struct eight {
+  double a, b, c, d, e, f, g, h;
+};
+struct mixed {
+  double a;
+  int count;
+  double b;
+};
 template <class T>
-struct springs { Vec3<T> first; T second; };
+struct springs {
+  Vec3<T> first;
+  T second;
+};
 
 static_assert(detail::field_count<nothing>() == 0 && detail::field_count<one>() == 1);
 static_assert(detail::field_count<two>() == 2 && detail::field_count<nested>() == 3);

@@ -49,7 +49,8 @@ TEST_CASE("a block is eight rows, and storing it leaves the others") {
   CHECK((b.force.x(0) == 9 && b.force.y(7) == 16.25 && b.energy(3) == 12.75));
   b.energy = -b.energy;
   t.store_block(8, b);
-  CHECK((t.row(7).energy == 8.75 && t.row(8).energy == -9.75 && t.row(15).energy == -16.75 && t.row(16).energy == 17.75));
+  CHECK(
+      (t.row(7).energy == 8.75 && t.row(8).energy == -9.75 && t.row(15).energy == -16.75 && t.row(16).energy == 17.75));
   CHECK(t.row(8).force == vector{9, 9.25, 9.5});
 }
 

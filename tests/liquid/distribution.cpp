@@ -60,7 +60,8 @@ TEST_CASE("liquid that is too little for the open pair stays between the touchin
 
 TEST_CASE("bridges and films of before are collected first, and only real changes count as events") {
   const packing row = row_of_grains();
-  auto b = bonds_of(wet(rupture::lian{}, protocol::homogeneous{}), row, {0.03, 0, 0, 0, 0, 0, 0.01}, {0, 0.02, 0, 0, 0, 0, 0, 0});
+  auto b = bonds_of(wet(rupture::lian{}, protocol::homogeneous{}), row, {0.03, 0, 0, 0, 0, 0, 0.01},
+                    {0, 0.02, 0, 0, 0, 0, 0, 0});
   const bond_events e = distribute_homogeneously(b, row.view(), {});
   CHECK((e.formations == 5 && e.ruptures == 1));  // pair 6 lost its bridge, pair 0 kept one
   for (std::size_t p = 0; p < 6; ++p) CHECK(b.book().bonds()[p] == within(1e-14, 0.01));
@@ -133,7 +134,7 @@ TEST_CASE("films of a distribution that reached no pair make a bridge at the fir
   b.book().introduce(0.01);
   CHECK(distribute_homogeneously(b, two.view(), {}).formations == 0);
   CHECK(b.book().films()[0] == 0.005);
-  CHECK(b.forms(0, -1e-6));
+  CHECK(b.forms(0, -1e-6, 1e-6));
   CHECK(two.settle(b, {-1e-6}).formations == 1);
   CHECK(b.book().bonds()[0] == within(1e-15, 0.01));
 }
@@ -145,18 +146,18 @@ TEST_CASE("no pair expects a bridge from films that a distribution has taken awa
   chain.pairs = {{0, 1}, {1, 2}};
   chain.listed();
   auto b = bonds_of(wet(rupture::lian{}, protocol::grain_films{}), chain, {0.001}, {0, 0, 0.001});
-  CHECK(b.forms(1, -1e-6));
+  CHECK(b.forms(1, -1e-6, 1e-6));
   distribute_homogeneously(b, chain.view(), {});
   CHECK(b.book().bonds()[0] == within(1e-15, 0.002));
-  CHECK_FALSE(b.forms(1, -1e-6));
+  CHECK_FALSE(b.forms(1, -1e-6, 1e-6));
 }
 
 TEST_CASE("liquid reaches across gaps however thin the skin of the neighbour list is") {
   // Two grains of 1 mm at a gap of 0.3 mm, 0.1 mm3 of water: the bridge lives up to 0.464 mm. Nothing touches.
   for (const double skin : {0.05, 0.2, 0.5}) {
     pendular::system s{material{normal::linear{1e3}, damping::viscous{0.8}},
-             liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::homogeneous{}}, boundary::walls{},
-             half_step_velocity_verlet{1e-7}, run_options{.skin = skin}};
+                       liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::homogeneous{}},
+                       boundary::walls{}, half_step_velocity_verlet{1e-7}, run_options{.skin = skin}};
     s.add({{0, 0, 0}, 1e-3, 2600});
     s.add({{2.3e-3, 0, 0}, 1e-3, 2600});
     s.distribute_liquid(1e-10);
@@ -168,8 +169,8 @@ TEST_CASE("a distribution finds the same bridges whatever the skin, in a scene w
   std::vector<std::size_t> counts;
   for (const double skin : {0.05, 0.3, 0.6}) {
     pendular::system s{material{normal::linear{1e3}, damping::viscous{0.8}},
-             liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}}, boundary::walls{},
-             half_step_velocity_verlet{1e-7}, run_options{.skin = skin}};
+                       liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}}, boundary::walls{},
+                       half_step_velocity_verlet{1e-7}, run_options{.skin = skin}};
     // Two small grains touch; two large ones are a good way apart, farther than any list of small pairs would see.
     s.add({{0, 0, 0}, 0.5e-3, 2600});
     s.add({{1e-3 - 1e-9, 0, 0}, 0.5e-3, 2600});
@@ -184,7 +185,7 @@ TEST_CASE("a distribution finds the same bridges whatever the skin, in a scene w
 
 TEST_CASE("every liquid of a scene that is distributed twice is the sum of both") {
   pendular::system s{material{normal::linear{1e3}}, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}},
-           boundary::walls{}, half_step_velocity_verlet{1e-7}};
+                     boundary::walls{}, half_step_velocity_verlet{1e-7}};
   for (int k = 0; k < 4; ++k) s.add({{1e-3 * k, 0, 0}, 0.5e-3, 2600});
   s.distribute_liquid(1e-12);
   s.distribute_liquid(2e-12);

@@ -73,9 +73,15 @@ struct packing {
 
   pair_view view() const { return {first, second, pairs.size(), position, radius, id, up}; }
 
+  /// One step that ends with these gaps; all pairs were apart before it if nothing else is said.
   template <class Liquid>
   bond_events settle(bonds<Liquid>& b, const std::vector<double>& gap) const {
-    return settle_bonds(b, view(), gap, [this](std::size_t grain) -> const auto& { return of_grain[grain]; });
+    return settle(b, gap, std::vector<double>(gap.size(), 1e3));
+  }
+  template <class Liquid>
+  bond_events settle(bonds<Liquid>& b, const std::vector<double>& gap, const std::vector<double>& before) const {
+    return settle_bonds(
+        b, view(), gap_history{gap, before}, [this](std::size_t grain) -> const auto& { return of_grain[grain]; });
   }
 };
 

@@ -37,8 +37,8 @@ TEST_CASE("P0 weighs bonds by the diameters of the partners") {
 
 TEST_CASE("P2 shares equally among the new contacts and gives the old ones nothing") {
   const protocol::grain_films p2{};
-  const auto merged = p2.merge(p2.merge(p2.offer(side(1, 0, 1, true)), p2.offer(side(2, 0, 2, false))),
-                               p2.offer(side(3, 0, 3, true)));
+  const auto merged =
+      p2.merge(p2.merge(p2.offer(side(1, 0, 1, true)), p2.offer(side(2, 0, 2, false))), p2.offer(side(3, 0, 3, true)));
   const auto grant = p2.settle(merged, 1.2);
   CHECK(p2.pull(side(1, 0, 1, true), grant) == within(1e-15, 0.6));
   CHECK(p2.pull(side(2, 0, 2, false), grant) == 0);
@@ -57,7 +57,8 @@ TEST_CASE("P3 gives all to the lowest contact below the centre, the lower partne
   CHECK(p3.pull(side(1, 0.5, 1), low) == 0);
   CHECK(p3.pull(side(1, -0.2, 2), low) == 0);
   CHECK(p3.pull(side(1, -0.7, 3), low) == 1.2);
-  for (const auto& tie : {grant_of({side(1, -0.7, 4), side(1, -0.7, 2)}), grant_of({side(1, -0.7, 2), side(1, -0.7, 4)})}) {
+  for (const auto& tie :
+       {grant_of({side(1, -0.7, 4), side(1, -0.7, 2)}), grant_of({side(1, -0.7, 2), side(1, -0.7, 4)})}) {
     CHECK(p3.pull(side(1, -0.7, 2), tie) == 1.2);
     CHECK(p3.pull(side(1, -0.7, 4), tie) == 0);
   }
@@ -147,8 +148,8 @@ TEST_CASE("P2 keeps films until a contact forms and joins both films there") {
   CHECK(b.book().films()[1] == within(1e-15, 0.2));
   CHECK(b.book().films()[2] == within(1e-15, 0.1));
   CHECK((b.book().bonds()[0] == 0.1 && b.book().bonds()[2] == 0.2));  // old contacts get nothing
-  CHECK_FALSE(b.forms(1, 0.01));                                      // near is not enough
-  CHECK(b.forms(1, -1e-9));
+  CHECK_FALSE(b.forms(1, 0.01, 0.02));                                // near is not enough
+  CHECK(b.forms(1, -1e-9, 0.01));
   const bond_events e = c.settle(b, {-1e-3, -1e-3, -1e-3});
   CHECK((e.ruptures == 0 && e.formations == 1));
   CHECK(b.book().bonds()[1] == within(1e-15, 0.3));
@@ -237,6 +238,6 @@ TEST_CASE("films do not make bridges by themselves without a protocol") {
   c.pairs = {{0, 1}};
   c.listed();
   auto b = bonds_of(wet(volume_is_distance{}), c, {}, {0.2, 0.1});
-  CHECK_FALSE(b.forms(0, -0.1));
+  CHECK_FALSE(b.forms(0, -0.1, 0.1));
   CHECK(c.settle(b, {-0.1}).formations == 0);
 }

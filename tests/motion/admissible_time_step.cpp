@@ -43,7 +43,8 @@ std::vector<grain> heap(std::uint64_t seed) {
   boost::random::uniform_real_distribution<double> unit(0, 1);
   std::vector<grain> grains;
   while (grains.size() < 30) {
-    const grain g{{4e-3 * unit(random), 4e-3 * unit(random), 4e-3 * unit(random)}, (0.4 + 0.6 * unit(random)) * 1e-3, 2600};
+    const grain g{
+        {4e-3 * unit(random), 4e-3 * unit(random), 4e-3 * unit(random)}, (0.4 + 0.6 * unit(random)) * 1e-3, 2600};
     bool fits = true;
     for (const grain& other : grains) {
       const double gap = norm(g.position - other.position) - g.radius - other.radius;
@@ -137,7 +138,8 @@ TEST_CASE("the limit names the grain whose contacts are the stiffest for its mas
   pendular::system s{material{spring}, boundary::walls{}, velocity_verlet{1e-7}};
   std::vector<grain> grains{{{50e-3, 0, 0}, 2e-3, 2600}, {{53.9999e-3, 0, 0}, 2e-3, 2600}, {{0, 0, 0}, 0.4e-3, 2600}};
   const double reach = 1.2999e-3;
-  for (const vector& n : {vector{1, 0, 0}, vector{-1, 0, 0}, vector{0, 1, 0}, vector{0, -1, 0}, vector{0, 0, 1}, vector{0, 0, -1}}) {
+  for (const vector& n :
+       {vector{1, 0, 0}, vector{-1, 0, 0}, vector{0, 1, 0}, vector{0, -1, 0}, vector{0, 0, 1}, vector{0, 0, -1}}) {
     grains.push_back({reach * n, 0.9e-3, 2600});
   }
   fill(s, grains);
@@ -207,7 +209,8 @@ TEST_CASE("a load that is too much for the stiffness, and a bridge that is, are 
   const std::vector<grain> two{{{0, 0, 0}, 0.5e-3, 2600}, {{0.9999e-3, 0, 0}, 0.5e-3, 2600}};
   // sigma d^2 / (k d) = 1e-3 at 1 kPa for d = 1 mm and k = 1 kN/m
   for (const auto& [stress, holds] : {std::pair{990.0, true}, std::pair{1010.0, false}}) {
-    const boundary::walls lid{boundary::wall{boundary::plane{{0, 0, 5e-3}, {0, 0, -1}}, boundary::servo_stress{stress, 1e-4, 1e-3, 1}}};
+    const boundary::walls lid{
+        boundary::wall{boundary::plane{{0, 0, 5e-3}, {0, 0, -1}}, boundary::servo_stress{stress, 1e-4, 1e-3, 1}}};
     pendular::system s{material{spring}, lid, velocity_verlet{1e-6}, run_options{.force = true}};
     fill(s, two);
     CHECK(limit_of(s, "pressure").holds() == holds);

@@ -143,7 +143,7 @@ TEST_CASE("the stable step is where the map from one step to the next begins to 
 }
 
 TEST_CASE("the limits everybody knows") {
-  CHECK(velocity_verlet::stable_step(4, 0) == 1);            // 2 / omega
+  CHECK(velocity_verlet::stable_step(4, 0) == 1);  // 2 / omega
   CHECK(half_step_velocity_verlet::stable_step(4, 0) == 1);
   CHECK(velocity_verlet::stable_step(0, 2) == 0.5);          // 1 / rate, synchronised
   CHECK(half_step_velocity_verlet::stable_step(0, 2) == 1);  // 2 / rate, half a step ago

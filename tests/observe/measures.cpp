@@ -36,8 +36,10 @@ TEST_CASE("the stress of a pressed pair is force times branch over volume, compr
 }
 
 TEST_CASE("a bridge across a gap pulls: its stress is negative") {
-  pendular::system s{material{normal::linear{1e3}}, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, formation::within_rupture_distance{}},
-                     boundary::walls{}, velocity_verlet{1e-7}};
+  pendular::system s{
+      material{normal::linear{1e3}},
+      liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, formation::within_rupture_distance{}},
+      boundary::walls{}, velocity_verlet{1e-7}};
   s.add({{0, 0, 0}, 0.5e-3, 2600});
   s.add({{0, 1.045e-3, 0}, 0.5e-3, 2600});
   s.distribute_liquid(1.25e-12);
@@ -84,7 +86,8 @@ TEST_CASE("energies have their entries: motion, height, springs, bridges") {
 
 TEST_CASE("a bridge holds the work that would open it, and its making set that free") {
   pendular::system s{material{normal::linear{1e3}, energy_book{}},
-                     liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}}, boundary::walls{}, velocity_verlet{1e-7}};
+                     liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}}, boundary::walls{},
+                     velocity_verlet{1e-7}};
   s.add({{0, 0, 0}, 0.5e-3, 2600});
   s.add({{1e-3, 0, 0}, 0.5e-3, 2600});
   s.distribute_liquid(1.25e-12);

@@ -82,7 +82,7 @@ restitutions wall_impacts(const Damping& damping, double steps_per_contact, doub
 struct row {
   double rate, approach_only, two_sided, clamped;
 };
-constexpr std::array<row, 4> table{{{.05, .92669, .85447, .85876},   // physics 4.2, checked there against an ODE solver
+constexpr std::array<row, 4> table{{{.05, .92669, .85447, .85876},  // physics 4.2, checked there against an ODE solver
                                     {.2, .75613, .52662, .57174},
                                     {.5, .54629, .16303, .29844},
                                     {.8, .42401, .01516, .17978}}};
@@ -151,14 +151,16 @@ TEST_CASE("DEM01: a sphere falls, dips into the floor and leaves it as the close
       if (k == 1e4 && e > 0.85) continue;  // the centre would go through the floor, and the overlap limit stops that
       const double omega = std::sqrt(k / mass), damped = omega * std::sqrt(1 - b * b);
       const double dt = pi / omega / 1000;
-      pendular::system s{material{normal::linear{k}, damping::viscous{b}}, floor_plane(), velocity_verlet{dt, {0, 0, -g}},
-                         run_options{.overlap_limit = 0.99, .force = true}};
+      pendular::system s{material{normal::linear{k}, damping::viscous{b}}, floor_plane(),
+                         velocity_verlet{dt, {0, 0, -g}}, run_options{.overlap_limit = 0.99, .force = true}};
       s.add({{0, 0, h}, r, rho});
       const auto exact = [&](double t) {
         if (t < impact_time) return h - 0.5 * g * t * t;
         const double u = t - impact_time;
-        return (g / (omega * omega) * std::cos(damped * u) + (b * g / omega - impact_speed) / damped * std::sin(damped * u)) *
-                   std::exp(-b * omega * u) + r - g / (omega * omega);
+        return (g / (omega * omega) * std::cos(damped * u) +
+                (b * g / omega - impact_speed) / damped * std::sin(damped * u)) *
+                   std::exp(-b * omega * u) +
+               r - g / (omega * omega);
       };
       double worst = 0;
       while (s.time() < impact_time + 0.95 * pi / damped) {

@@ -14,9 +14,7 @@ namespace {
 
 const vector weightless{0, 0, 0};
 
-auto wet_water() {
-  return liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::grain_films{}};
-}
+auto wet_water() { return liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::grain_films{}}; }
 const material rubbing{normal::linear{1e3}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}, energy_book{}};
 
 /// A cluster of 40 wet grains, thrown together.
@@ -101,8 +99,8 @@ TEST_CASE("the energy balance of a sheared and shaken wet packing closes to a th
 }
 
 TEST_CASE("in free flight nothing is lost: momentum, angular momentum and energy of a wet cluster") {
-  pendular::system s{material{normal::linear{1e3}, energy_book{}}, wet_water(), boundary::walls{}, velocity_verlet{5e-7},
-                     run_options{.force = true}};
+  pendular::system s{material{normal::linear{1e3}, energy_book{}}, wet_water(), boundary::walls{},
+                     velocity_verlet{5e-7}, run_options{.force = true}};
   for (const grain& g : loose_lattice(3, 3, 3, 0.5e-3, 0.1, 1.1e-3, 0.02)) s.add(g);
   s.start();
   s.distribute_liquid(1e-2 * 0.125e-9 * 60);

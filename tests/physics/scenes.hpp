@@ -110,9 +110,9 @@ inline std::vector<pendular::grain> loose_lattice(int nx, int ny, int nz, double
 inline auto closed_box(const vector& size) {
   using pendular::boundary::plane;
   using pendular::boundary::wall;
-  return pendular::boundary::walls{wall{plane{{0, 0, 0}, {1, 0, 0}}},      wall{plane{{size.x, 0, 0}, {-1, 0, 0}}},
-                                   wall{plane{{0, 0, 0}, {0, 1, 0}}},      wall{plane{{0, size.y, 0}, {0, -1, 0}}},
-                                   wall{plane{{0, 0, 0}, {0, 0, 1}}},      wall{plane{{0, 0, size.z}, {0, 0, -1}}}};
+  return pendular::boundary::walls{wall{plane{{0, 0, 0}, {1, 0, 0}}}, wall{plane{{size.x, 0, 0}, {-1, 0, 0}}},
+                                   wall{plane{{0, 0, 0}, {0, 1, 0}}}, wall{plane{{0, size.y, 0}, {0, -1, 0}}},
+                                   wall{plane{{0, 0, 0}, {0, 0, 1}}}, wall{plane{{0, 0, size.z}, {0, 0, -1}}}};
 }
 
 inline auto floor_plane() {

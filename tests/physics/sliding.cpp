@@ -80,8 +80,8 @@ TEST_CASE("DEM04: a sliding sphere ends at five sevenths of its speed, whatever 
     double worst = 0;
     for (int n = 0; n < 200; ++n) {
       s.run(20);
-      worst = std::max(worst, std::abs(mass * lever * velocity(s, 0).x + 0.4 * mass * r * r * spin(s, 0).y -
-                                       mass * lever * u0));
+      worst = std::max(
+          worst, std::abs(mass * lever * velocity(s, 0).x + 0.4 * mass * r * r * spin(s, 0).y - mass * lever * u0));
     }
     CHECK(worst < 1e-9 * mass * lever * u0);
     s.run(std::llround((0.6 * slip_time + tail) / 2e-6));
@@ -116,8 +116,12 @@ TEST_CASE("Chung and Ooi 4: oblique impacts that slide throughout follow the imp
   const double r = 2.5e-3, mu = 0.092, bounce = 0.98, speed = 3.9;
   const double rate = std::sqrt(5.0 / 6) * damping_rate_for(bounce);
   // Spin values to be found: physics 4.7 F. Angle, e_t, spin (rad/s).
-  const std::array<std::array<double, 3>, 6> table{{{40, .7829, 544.2}, {50, .8471, 456.7}, {60, .8948, 355.2},
-                                                    {70, .9337, 243.0}, {80, .9679, 123.4}, {85, .9841, 61.9}}};
+  const std::array<std::array<double, 3>, 6> table{{{40, .7829, 544.2},
+                                                    {50, .8471, 456.7},
+                                                    {60, .8948, 355.2},
+                                                    {70, .9337, 243.0},
+                                                    {80, .9679, 123.4},
+                                                    {85, .9841, 61.9}}};
   for (const auto& [degrees, expected_ratio, expected_turn] : table) {
     const double ratio = expected_ratio, turn = expected_turn;  // clang 14 captures no structured binding
     const double angle = degrees * pi / 180, vn = speed * std::cos(angle), vt = speed * std::sin(angle);
@@ -230,7 +234,8 @@ TEST_CASE("a sphere on an incline rolls below 7/2 mu and slides above") {
     const double beta = degrees * pi / 180, sag = mass * g * std::cos(beta) / k;
     const auto check = [&](const auto& friction_law, double tolerance) {
       pendular::system s{material{normal::linear{k}, damping::viscous{0.3}, friction_law}, floor_plane(),
-                         velocity_verlet{2e-6, {g * std::sin(beta), 0, -g * std::cos(beta)}}, run_options{.force = true}};
+                         velocity_verlet{2e-6, {g * std::sin(beta), 0, -g * std::cos(beta)}},
+                         run_options{.force = true}};
       s.add({{0, 0, r - sag}, r, 2600});
       s.run(10000);
       const double t = s.time();
@@ -276,10 +281,11 @@ TEST_CASE("two plates in counter-motion drag a grain's surface apart with the Co
   const double r = 0.5e-3, k = 1e3, squeeze = 1e-6, u = 0.1;
   using boundary::constant_velocity;
   using boundary::plane;
-  pendular::system s{material{normal::linear{k}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}},
-                     boundary::walls{boundary::wall{plane{{0, 0, 0}, {0, 0, 1}}, constant_velocity{{-u, 0, 0}}},
-                                     boundary::wall{plane{{0, 0, 2 * (r - squeeze)}, {0, 0, -1}}, constant_velocity{{u, 0, 0}}}},
-                     half_step_velocity_verlet{1e-6}, run_options{.force = true}};
+  pendular::system s{
+      material{normal::linear{k}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}},
+      boundary::walls{boundary::wall{plane{{0, 0, 0}, {0, 0, 1}}, constant_velocity{{-u, 0, 0}}},
+                      boundary::wall{plane{{0, 0, 2 * (r - squeeze)}, {0, 0, -1}}, constant_velocity{{u, 0, 0}}}},
+      half_step_velocity_verlet{1e-6}, run_options{.force = true}};
   s.add({{0, 0, r - squeeze}, r, 2600});
   double drag = 0;
   for (int n = 0; n < 20; ++n) {
@@ -340,7 +346,7 @@ TEST_CASE("a loaded friction spring follows its contact when the pair swings rou
     s.run(1);
   }
   const vector after = s.contacts().force(0);
-  CHECK(after.z == within(2e-2, before));  // x has turned into -z, and the force on grain 0 pointed to -x
+  CHECK(after.z == within(2e-2, before));       // x has turned into -z, and the force on grain 0 pointed to -x
   CHECK(after.x == within(1e-2, -1e3 * 1e-6));  // the normal push
 }
 

@@ -20,7 +20,8 @@ constexpr double side = 8 * 1.02e-3;  // m
 const std::vector<grain>& settled() {
   static const std::vector<grain> all = [] {
     pendular::system s{material{normal::linear{1e3}, damping::viscous{0.6}, friction::coulomb_spring{800, 0.1}},
-                       closed_box({side, side, 20e-3}), velocity_verlet{8e-6, gravity_down}, run_options{.force = true}};
+                       closed_box({side, side, 20e-3}), velocity_verlet{8e-6, gravity_down},
+                       run_options{.force = true}};
     for (const grain& g : loose_lattice(7, 7, 10, 0.5e-3, 0.08, 1.165e-3, 0.1)) s.add(g);
     s.run(25000);
     std::vector<grain> grains;
@@ -46,12 +47,13 @@ auto pressed(const Friction& law, double dt, double lid_speed) {
   using boundary::constant_velocity;
   using boundary::plane;
   using boundary::wall;
-  pendular::system s{material{normal::linear{1e3}, damping::viscous{0.6}, law},
-                     boundary::walls{wall{plane{{0, 0, 0}, {1, 0, 0}}}, wall{plane{{side, 0, 0}, {-1, 0, 0}}},
-                                     wall{plane{{0, 0, 0}, {0, 1, 0}}}, wall{plane{{0, side, 0}, {0, -1, 0}}},
-                                     wall{plane{{0, 0, 0}, {0, 0, 1}}},
-                                     wall{plane{{0, 0, top_of(settled())}, {0, 0, -1}}, constant_velocity{{0, 0, -lid_speed}}}},
-                     velocity_verlet{dt, gravity_down}, run_options{.force = true}};
+  pendular::system s{
+      material{normal::linear{1e3}, damping::viscous{0.6}, law},
+      boundary::walls{wall{plane{{0, 0, 0}, {1, 0, 0}}}, wall{plane{{side, 0, 0}, {-1, 0, 0}}},
+                      wall{plane{{0, 0, 0}, {0, 1, 0}}}, wall{plane{{0, side, 0}, {0, -1, 0}}},
+                      wall{plane{{0, 0, 0}, {0, 0, 1}}},
+                      wall{plane{{0, 0, top_of(settled())}, {0, 0, -1}}, constant_velocity{{0, 0, -lid_speed}}}},
+      velocity_verlet{dt, gravity_down}, run_options{.force = true}};
   for (const grain& g : settled()) s.add(g);
   return s;
 }

@@ -140,7 +140,8 @@ TEST_CASE("a broken bridge comes back at contact with films on the grains, not b
   pull_at(s, -1e-8);
   CHECK(s.bridges().count() == 1);
   CHECK(s.bridges().book().bonds()[0] == within(1e-14, bridge_volume));
-  CHECK(pull_at(s, 0.5 * rupture_distance) == within(1e-4, pull_at_contact * std::exp(-0.5 * rupture_distance / decay_length)));
+  CHECK(pull_at(s, 0.5 * rupture_distance) ==
+        within(1e-4, pull_at_contact * std::exp(-0.5 * rupture_distance / decay_length)));
 }
 
 TEST_CASE("without a protocol a broken bridge never comes back") {
@@ -206,7 +207,8 @@ bool holds(double diameter, double kappa) {
   const double r = 0.5 * diameter, k = 1e4, g = 9.81, mg = sphere_mass(r, density) * g;
   const double overlap = std::max((kappa * r - mg) / k, 0.0), sag = 2 * mg / k;
   pendular::system s{material{normal::linear{k}, damping::viscous{0.9}}, water_with(protocol::none{}),
-                     boundary::walls{boundary::wall{shelf{}}}, velocity_verlet{2e-6, {0, 0, -g}}, run_options{.force = true}};
+                     boundary::walls{boundary::wall{shelf{}}}, velocity_verlet{2e-6, {0, 0, -g}},
+                     run_options{.force = true}};
   s.add({{0, 0, r - sag}, r, density});
   s.add({{0, 0, -r - sag + overlap}, r, density});
   s.start();

@@ -23,7 +23,8 @@ std::map<double, int> counted(const std::vector<double>& diameters_of_grains) {
 
 TEST_CASE("eight thousand grains of the compression sample have the proportions of the table, to the grain") {
   const auto counts = counted(diameters(compression_grading(), 8000, 1));
-  CHECK(counts == std::map<double, int>{{0.8e-3, 800}, {0.9e-3, 1600}, {1.0e-3, 1600}, {1.1e-3, 1600}, {1.2e-3, 1600}, {1.3e-3, 800}});
+  CHECK(counts == std::map<double, int>{
+                      {0.8e-3, 800}, {0.9e-3, 1600}, {1.0e-3, 1600}, {1.1e-3, 1600}, {1.2e-3, 1600}, {1.3e-3, 800}});
 }
 
 TEST_CASE("their mean diameter is 1.05 mm and their solid volume 5146 mm3") {

@@ -78,7 +78,8 @@ const scene::sealed_packing& packed() {
 
 std::vector<double> numbers_of(const scene::sealed_packing& p) {
   std::vector<double> all{p.height, p.solid_fraction, p.solid_mass};
-  for (const grain& g : p.grains) all.insert(all.end(), {g.position.x, g.position.y, g.position.z, g.radius, g.density});
+  for (const grain& g : p.grains)
+    all.insert(all.end(), {g.position.x, g.position.y, g.position.z, g.radius, g.density});
   return all;
 }
 
@@ -130,7 +131,8 @@ TEST_CASE("a packing that is sealed for longer is hardly lower") {
 TEST_CASE("a packing that is resumed from any checkpoint of any stage ends with the same bits") {
   const scratch::folder folder;
   std::vector<fs::path> kept;
-  const auto uninterrupted = numbers_of(scene::packing(small_packing(), smooth, smooth).run(watching(folder, 3000, kept)));
+  const auto uninterrupted =
+      numbers_of(scene::packing(small_packing(), smooth, smooth).run(watching(folder, 3000, kept)));
   std::set<std::string> stages;
   REQUIRE(kept.size() > 4);
   for (const fs::path& from : kept) {

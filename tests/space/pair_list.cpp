@@ -55,8 +55,8 @@ struct cloud {
     std::set<id_pair> found;
     for (std::size_t a = 0; a < id.size(); ++a) {
       for (std::size_t b = a + 1; b < id.size(); ++b) {
-        const double distance = std::hypot(position[a].x - position[b].x, position[a].y - position[b].y,
-                                           position[a].z - position[b].z);
+        const double distance =
+            std::hypot(position[a].x - position[b].x, position[a].y - position[b].y, position[a].z - position[b].z);
         if (distance - radius[a] - radius[b] <= range) found.insert(std::minmax(id[a], id[b]));
       }
     }
@@ -68,7 +68,8 @@ struct cloud {
 std::set<id_pair> listed(const pair_list& list, const cloud& c) {
   std::set<id_pair> found;
   for (std::size_t p = 0; p < list.size(); ++p) {
-    const auto i = c.id[static_cast<std::size_t>(list.first()[p])], j = c.id[static_cast<std::size_t>(list.second()[p])];
+    const auto i = c.id[static_cast<std::size_t>(list.first()[p])],
+               j = c.id[static_cast<std::size_t>(list.second()[p])];
     REQUIRE(i < j);
     REQUIRE(found.insert({i, j}).second);
   }
@@ -80,7 +81,8 @@ cloud random_cloud(std::size_t count, double size, std::uint64_t seed, double fl
   boost::random::uniform_real_distribution<double> unit(0, 1);
   cloud c;
   for (std::size_t k = 0; k < count; ++k) {
-    c.add({size * (unit(random) - 0.5), size * unit(random) + 3, flatness * size * unit(random)}, 0.2 + 0.8 * unit(random));
+    c.add({size * (unit(random) - 0.5), size * unit(random) + 3, flatness * size * unit(random)},
+          0.2 + 0.8 * unit(random));
   }
   return c;
 }
@@ -100,10 +102,10 @@ void check(cloud c, double range) {
 
 TEST_CASE("random clouds of any density have the pairs of the full search") {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
-    check(random_cloud(600, 30, seed), 0.3);   // dilute
-    check(random_cloud(600, 10, seed), 0.1);   // dense
-    check(random_cloud(300, 1, seed), 0.1);    // all in few cells
-    check(random_cloud(300, 40, seed), 4);     // a range longer than a radius
+    check(random_cloud(600, 30, seed), 0.3);     // dilute
+    check(random_cloud(600, 10, seed), 0.1);     // dense
+    check(random_cloud(300, 1, seed), 0.1);      // all in few cells
+    check(random_cloud(300, 40, seed), 4);       // a range longer than a radius
     check(random_cloud(300, 30, seed, 0), 0.3);  // flat
   }
   CHECK(random_cloud(600, 10, 1).all_pairs(0.1).size() > 1000);
@@ -156,7 +158,8 @@ TEST_CASE("every pair knows which pair of the old list it was, although grains m
     REQUIRE(origin.size() == list.size());
     std::size_t kept = 0, fresh = 0;
     for (std::size_t p = 0; p < list.size(); ++p) {
-      const auto old = before.find({c.id[static_cast<std::size_t>(list.first()[p])], c.id[static_cast<std::size_t>(list.second()[p])]});
+      const auto old = before.find(
+          {c.id[static_cast<std::size_t>(list.first()[p])], c.id[static_cast<std::size_t>(list.second()[p])]});
       REQUIRE(origin[p] == (old == before.end() ? -1 : old->second));
       ++(old == before.end() ? fresh : kept);
     }

@@ -36,7 +36,9 @@ static_assert(std::is_same_v<wet_scene::bonds_type, bonds<water_and_laws>>);
 static_assert(!dry_scene::contacts_type::wet && wet_scene::contacts_type::wet);
 static_assert(sizeof(dry_scene) < sizeof(wet_scene));
 template <class System>
-concept Wettable = requires(System s) { s.distribute_liquid(1e-9); };
+concept Wettable = requires(System s) {
+  s.distribute_liquid(1e-9);
+};
 static_assert(Wettable<wet_scene> && !Wettable<dry_scene>);
 
 // A frictionless scene does not rotate.
@@ -68,7 +70,8 @@ static_assert(numbers_per_pair<material<testing::archetype::friction_law_with_me
 
 // A bond keeps its coefficients, and those of a law without any are its volume and radii.
 template <class Law>
-inline constexpr std::size_t numbers_per_bond = scalar_table<bonds<liquid<fluid, Law, rupture::lian>>::template coefficients>::width;
+inline constexpr std::size_t numbers_per_bond =
+    scalar_table<bonds<liquid<fluid, Law, rupture::lian>>::template coefficients>::width;
 static_assert(numbers_per_bond<capillary::richefeu> == 2 && numbers_per_bond<testing::archetype::capillary_law> == 3 &&
               numbers_per_bond<testing::archetype::prepared_capillary_law> == 1);
 
@@ -81,7 +84,8 @@ static_assert(std::is_same_v<booked::normal_law, spring> && !booked::has_frictio
 // A bundle takes its policies in any order, and `none` is nobody.
 static_assert(std::is_same_v<material<dashpot, friction::coulomb_spring, spring>::normal_law, spring>);
 static_assert(std::is_same_v<material<dashpot, friction::coulomb_spring, spring>::damping_law, dashpot>);
-static_assert(std::is_same_v<material<friction::coulomb_spring, spring, dashpot>::friction_law, friction::coulomb_spring>);
+static_assert(
+    std::is_same_v<material<friction::coulomb_spring, spring, dashpot>::friction_law, friction::coulomb_spring>);
 static_assert(std::is_same_v<material<none, spring, none>::friction_law, none> && !material<none, spring>::has_damping);
 static_assert(numbers_per_pair<material<none, friction::coulomb_spring, none, spring>> == 3);
 
@@ -98,17 +102,21 @@ static_assert(std::is_same_v<water_and_laws::formation_rule, formation::at_conta
 template <class... More>
 using with = liquid<fluid, capillary::richefeu, rupture::lian, More...>;
 static_assert(std::is_same_v<with<protocol::homogeneous>::formation_rule, formation::within_rupture_distance>);
-static_assert(std::is_same_v<with<protocol::homogeneous, formation::at_contact>::formation_rule, formation::at_contact>);
+static_assert(
+    std::is_same_v<with<protocol::homogeneous, formation::at_contact>::formation_rule, formation::at_contact>);
 static_assert(std::is_same_v<with<protocol::grain_films>::formation_rule, formation::at_contact>);
 static_assert(with<protocol::gravity>::needs_gravity && !with<protocol::neighbours>::needs_gravity &&
               !water_and_laws::needs_gravity);
 
 // Every protocol is local, global or neither.
-static_assert(boost::hana::unpack(protocol::all, [](auto... p) { return (Protocol<typename decltype(p)::type> && ...); }));
-static_assert(LocalProtocol<protocol::neighbours> && LocalProtocol<protocol::grain_films> && LocalProtocol<protocol::gravity>);
+static_assert(boost::hana::unpack(protocol::all,
+                                  [](auto... p) { return (Protocol<typename decltype(p)::type> && ...); }));
+static_assert(LocalProtocol<protocol::neighbours> && LocalProtocol<protocol::grain_films> &&
+              LocalProtocol<protocol::gravity>);
 static_assert(GlobalProtocol<protocol::homogeneous> && !LocalProtocol<protocol::homogeneous>);
 static_assert(!LocalProtocol<protocol::none> && !GlobalProtocol<protocol::none>);
-static_assert(with<protocol::homogeneous>::redistributes_globally && !with<protocol::homogeneous>::redistributes_locally);
+static_assert(with<protocol::homogeneous>::redistributes_globally &&
+              !with<protocol::homogeneous>::redistributes_locally);
 static_assert(with<protocol::gravity>::redistributes_locally && !with<protocol::gravity>::redistributes_globally);
 static_assert(!water_and_laws::redistributes_locally && !water_and_laws::redistributes_globally);
 
@@ -191,7 +199,8 @@ struct hole_without_radius {
 struct changing_hole {
   boundary::meeting<double> meet(const vector&, double) { return {}; }
 };
-static_assert(boundary::Geometry<sphere_hole> && boundary::Geometry<boundary::plane> && boundary::Geometry<boundary::cylinder>);
+static_assert(boundary::Geometry<sphere_hole> && boundary::Geometry<boundary::plane> &&
+              boundary::Geometry<boundary::cylinder>);
 static_assert(!boundary::Geometry<hole_without_normal> && !boundary::Geometry<hole_without_radius> &&
               !boundary::Geometry<changing_hole> && !boundary::Geometry<none>);
 
@@ -234,7 +243,8 @@ struct vague_lag : integrator_twin {
 struct stateful : integrator_twin {
   void correct(vector&, const vector&, const vector&) {}
 };
-static_assert(!Integrator<wordy_step> && !Integrator<flat_gravity> && !Integrator<position_only> && !Integrator<no_spin>);
+static_assert(!Integrator<wordy_step> && !Integrator<flat_gravity> && !Integrator<position_only> &&
+              !Integrator<no_spin>);
 static_assert(!Integrator<correct_in_one> && !Integrator<limit_of_one> && !Integrator<limit_of_an_object>);
 static_assert(!Integrator<vague_lag> && !Integrator<stateful>);
 

@@ -143,7 +143,8 @@ TEST_CASE("a list made anew at every step and one that lasts give the same bits"
 
 TEST_CASE("a skin thinner than a step's way only costs time") {
   const threads one(1);
-  auto thin = wet_scene(rubbing, protocol::grain_films{}, 1e-9, 4), usual = wet_scene(rubbing, protocol::grain_films{}, 0.2, 4);
+  auto thin = wet_scene(rubbing, protocol::grain_films{}, 1e-9, 4),
+       usual = wet_scene(rubbing, protocol::grain_films{}, 0.2, 4);
   wet_and_run(usual, 1000);
   REQUIRE(usual.events().ruptures > 0);
   CHECK_NOTHROW(wet_and_run(thin, 1000));
@@ -174,7 +175,7 @@ TEST_CASE("a wet composition without liquid moves as the dry one to the last bit
   const double n = 6;
   auto wet = wet_scene(rubbing, protocol::grain_films{}, 0.2);
   pendular::system dried{rubbing, moving_cell(1.2e-3 * n, 1.22e-3 * n), velocity_verlet{5e-6, gravity_down},
-                       run_options{.skin = 0.2, .force = true}};
+                         run_options{.skin = 0.2, .force = true}};
   for (const grain& g : loose_lattice(6, 6, 6, 0.5e-3, 0.1, 1.2e-3, 0.2)) dried.add(g);
   wet.run(3000);
   dried.run(3000);
@@ -186,7 +187,8 @@ TEST_CASE("a wet composition without liquid moves as the dry one to the last bit
 
 TEST_CASE("putting in a volume of nothing before the first step changes no bit") {
   const threads one(1);
-  auto wet = wet_scene(rubbing, protocol::grain_films{}, 0.2, 4), never = wet_scene(rubbing, protocol::grain_films{}, 0.2, 4);
+  auto wet = wet_scene(rubbing, protocol::grain_films{}, 0.2, 4),
+       never = wet_scene(rubbing, protocol::grain_films{}, 0.2, 4);
   wet.distribute_liquid(0);
   wet.run(2000);
   never.run(2000);
@@ -275,7 +277,8 @@ TEST_CASE("a resumed run goes on with the same bits") {
   }
   SECTION("half-step velocities and gravity") {
     check_restart([] {
-      return wet_scene<decltype(rubbing), protocol::gravity, half_step_velocity_verlet>(rubbing, protocol::gravity{}, 0.2);
+      return wet_scene<decltype(rubbing), protocol::gravity, half_step_velocity_verlet>(rubbing, protocol::gravity{},
+                                                                                        0.2);
     });
   }
 }

@@ -97,13 +97,15 @@ TEST_CASE("a size ratio of 100: momentum is exact, the dashpot works on the smal
 
 TEST_CASE("a cloud of size ratio 100 finds all its pairs") {
   random_numbers random(3);
-  pendular::system s{material{normal::linear{k_n}}, boundary::walls{}, velocity_verlet{1e-9}, run_options{.overlap_limit = 0.99, .force = true}};
+  pendular::system s{material{normal::linear{k_n}}, boundary::walls{}, velocity_verlet{1e-9},
+                     run_options{.overlap_limit = 0.99, .force = true}};
   std::vector<grain> all;
   for (int k = 0; k < 300; ++k) {
     const double radius = k % 50 == 0 ? 1e-2 : 1e-4 * (1.5 + 0.5 * random());
     const vector p = 0.05 * random.in_cube();
     const bool clear = std::all_of(all.begin(), all.end(), [&](const grain& g) {
-      return norm(g.position - p) > 1.0001 * (g.radius + radius) || norm(g.position - p) > g.radius + radius - 0.01 * radius;
+      return norm(g.position - p) > 1.0001 * (g.radius + radius) ||
+             norm(g.position - p) > g.radius + radius - 0.01 * radius;
     });
     if (clear) all.push_back({p, radius, rho});
   }
@@ -113,11 +115,13 @@ TEST_CASE("a cloud of size ratio 100 finds all its pairs") {
     all.push_back({all[0].position + (1e-2 + 1e-4 + 1e-6) * vector{std::cos(angle), std::sin(angle), 0}, 1e-4, rho});
   }
   std::size_t expected = 0;
-  const auto smallest = std::min_element(all.begin(), all.end(), [](const grain& a, const grain& b) { return a.radius < b.radius; });
+  const auto smallest =
+      std::min_element(all.begin(), all.end(), [](const grain& a, const grain& b) { return a.radius < b.radius; });
   for (std::size_t a = 0; a < all.size(); ++a) {
     s.add(all[a]);
     for (std::size_t b = 0; b < a; ++b) {
-      expected += norm(all[a].position - all[b].position) - all[a].radius - all[b].radius < 0.2 * smallest->radius ? 1 : 0;
+      expected +=
+          norm(all[a].position - all[b].position) - all[a].radius - all[b].radius < 0.2 * smallest->radius ? 1 : 0;
     }
   }
   try {

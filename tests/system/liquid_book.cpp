@@ -97,7 +97,8 @@ TEST_CASE("homogeneous redistribution gives every bridge the same volume over R^
     const double size = std::pow(view.radius[view.grain_i(p)] * view.radius[view.grain_j(p)], 1.5);
     low = std::min(low, s.bridges().book().bonds()[p] / size);
     high = std::max(high, s.bridges().book().bonds()[p] / size);
-    CHECK(view.gap(p) <= s.bridges().policies().rupture_distance(view.bridge_of(p, 0, s.bridges().book().bonds()[p])) * 1.001);
+    CHECK(view.gap(p) <=
+          s.bridges().policies().rupture_distance(view.bridge_of(p, 0, s.bridges().book().bonds()[p])) * 1.001);
   }
   CHECK(high / low - 1 < 1e-14);
   double bonded = 0;

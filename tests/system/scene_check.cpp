@@ -68,7 +68,8 @@ TEST_CASE("a time step too long for the contact stiffness is refused") {
   const material m{normal::linear{1e3}};
   CHECK_NOTHROW(try_row(m, velocity_verlet{0.99 * bound}));
   const std::string said = refusal([&] { try_row(m, velocity_verlet{1.01 * bound}); });
-  CHECK(mentions(said, {"time step", "stiffness", pendular::detail::number(1.01 * bound), pendular::detail::number(bound), "grain"}));
+  CHECK(mentions(said, {"time step", "stiffness", pendular::detail::number(1.01 * bound),
+                        pendular::detail::number(bound), "grain"}));
   CHECK_NOTHROW(try_row(m, velocity_verlet{1.01 * bound}, true));
 }
 
@@ -95,7 +96,8 @@ TEST_CASE("a time step too long for a strong dashpot is refused") {
   CHECK_NOTHROW(try_pair(velocity_verlet{0.99 * synchronised}));
   CHECK_NOTHROW(try_pair(half_step_velocity_verlet{0.99 * half_step}));
   CHECK(mentions(refusal([&] { try_pair(velocity_verlet{1.01 * synchronised}); }),
-                 {"time step", "dashpots", pendular::detail::number(1.01 * synchronised), pendular::detail::number(synchronised)}));
+                 {"time step", "dashpots", pendular::detail::number(1.01 * synchronised),
+                  pendular::detail::number(synchronised)}));
   CHECK(mentions(refusal([&] { try_pair(half_step_velocity_verlet{1.01 * half_step}); }),
                  {pendular::detail::number(1.01 * half_step), pendular::detail::number(half_step)}));
 }
@@ -107,9 +109,11 @@ TEST_CASE("explicit tangential viscosity beyond its bound is refused, the stable
   const material stable{normal::linear{1e3}, friction::viscous_coulomb{1, 0.4}};
   CHECK_NOTHROW(try_row(published, half_step_velocity_verlet{0.99 * bound}));
   CHECK_NOTHROW(try_row(published, velocity_verlet{0.495 * bound}));
-  CHECK(mentions(refusal([&] { try_row(published, half_step_velocity_verlet{1.01 * bound}); }),
-                 {"explicit tangential viscosity", pendular::detail::number(1.01 * bound), pendular::detail::number(bound)}));
-  CHECK(mentions(refusal([&] { try_row(published, velocity_verlet{1e-6}); }), {"explicit tangential viscosity", "1e-06"}));
+  CHECK(mentions(
+      refusal([&] { try_row(published, half_step_velocity_verlet{1.01 * bound}); }),
+      {"explicit tangential viscosity", pendular::detail::number(1.01 * bound), pendular::detail::number(bound)}));
+  CHECK(mentions(refusal([&] { try_row(published, velocity_verlet{1e-6}); }),
+                 {"explicit tangential viscosity", "1e-06"}));
   CHECK_NOTHROW(try_row(published, velocity_verlet{1e-6}, true));
   CHECK_NOTHROW(try_row(stable, velocity_verlet{1e-6}));
 }
@@ -119,20 +123,31 @@ TEST_CASE("a bridge so small that its force changes within a step is refused whe
   const double v = 2e-6 * r * r * r, lambda = 0.9 * std::sqrt(v / r), pull = 2 * pi * 0.0728 * r;
   const double bound = 0.1 * std::sqrt(0.5 * mass * lambda / pull);
   CHECK_NOTHROW(try_wet_pair(1e3, v, velocity_verlet{0.99 * bound}));
-  CHECK(mentions(refusal([&] { try_wet_pair(1e3, v, velocity_verlet{1.01 * bound}); }),
-                 {"slope of the capillary force", pendular::detail::number(1.01 * bound), pendular::detail::number(bound)}));
+  CHECK(mentions(
+      refusal([&] { try_wet_pair(1e3, v, velocity_verlet{1.01 * bound}); }),
+      {"slope of the capillary force", pendular::detail::number(1.01 * bound), pendular::detail::number(bound)}));
   CHECK_NOTHROW(try_wet_pair(1e3, v, velocity_verlet{1.01 * bound}, true));
 }
 
-TEST_CASE("a damping rate of 1 is refused by the scene, a larger one by the law, and so is a user's overdamped contact") {
-  CHECK(mentions(refusal([] { material{normal::linear{1e3}, damping::viscous{1.01}}; }), {"alpha_n", "is 1.01", "[0, 1]"}));
-  CHECK(mentions(refusal([] { material{normal::linear{1e3}, damping::viscous_on_approach{1.01}}; }), {"alpha_n", "is 1.01"}));
-  CHECK(mentions(refusal([] { try_row(material{normal::linear{1e3}, damping::viscous{1.0}}, velocity_verlet{1e-7}); }),
+TEST_CASE(
+    "a damping rate of 1 is refused by the scene, a larger one by the law, and so is a user's overdamped contact") {
+  CHECK(mentions(refusal([] {
+                   material{normal::linear{1e3}, damping::viscous{1.01}};
+                 }),
+                 {"alpha_n", "is 1.01", "[0, 1]"}));
+  CHECK(mentions(refusal([] {
+                   material{normal::linear{1e3}, damping::viscous_on_approach{1.01}};
+                 }),
+                 {"alpha_n", "is 1.01"}));
+  CHECK(mentions(refusal([] {
+                   try_row(material{normal::linear{1e3}, damping::viscous{1.0}}, velocity_verlet{1e-7});
+                 }),
                  {"damping rate", "is 1,"}));
   const double critical = 2 * std::sqrt(0.5 * mass * 1e3);
   CHECK_NOTHROW(try_row(material{normal::linear{1e3}, plain_dashpot{0.99 * critical}}, velocity_verlet{1e-7}));
-  const std::string said =
-      refusal([&] { try_row(material{normal::linear{1e3}, plain_dashpot{1.5 * critical}}, velocity_verlet{1e-7}); });
+  const std::string said = refusal([&] {
+    try_row(material{normal::linear{1e3}, plain_dashpot{1.5 * critical}}, velocity_verlet{1e-7});
+  });
   CHECK(mentions(said, {"damping rate", "1.5", "at most"}));
   CHECK_NOTHROW(try_row(material{normal::linear{1e3}, plain_dashpot{1.5 * critical}}, velocity_verlet{1e-7}, true));
 }
@@ -190,8 +205,13 @@ TEST_CASE("several broken limits are all named at once") {
 
 TEST_CASE("arguments without meaning are refused at the border") {
   const material m{normal::linear{1e3}};
-  CHECK(mentions(refusal([&] { pendular::system s{m, boundary::walls{}, velocity_verlet{0}}; }), {"time step", "is 0"}));
-  CHECK(mentions(refusal([&] { pendular::system s{m, boundary::walls{}, velocity_verlet{1e-6}, run_options{.skin = 0}}; }),
+  CHECK(mentions(refusal([&] {
+                   pendular::system s{m, boundary::walls{}, velocity_verlet{0}};
+                 }),
+                 {"time step", "is 0"}));
+  CHECK(mentions(refusal([&] {
+                   pendular::system s{m, boundary::walls{}, velocity_verlet{1e-6}, run_options{.skin = 0}};
+                 }),
                  {"skin", "is 0"}));
   CHECK(mentions(refusal([&] {
                    pendular::system s{m, boundary::walls{}, velocity_verlet{1e-6}, run_options{.overlap_limit = 1}};
@@ -213,13 +233,14 @@ TEST_CASE("arguments without meaning are refused at the border") {
                  }),
                  {"position", "nan"}));
   CHECK(mentions(refusal([&] {
-                   pendular::system s{m, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::gravity{}},
-                                      boundary::walls{}, velocity_verlet{1e-6}};
+                   pendular::system s{
+                       m, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::gravity{}},
+                       boundary::walls{}, velocity_verlet{1e-6}};
                  }),
                  {"gravity", "is 0"}));
   CHECK(mentions(refusal([&] {
-                   pendular::system s{m, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}}, boundary::walls{},
-                                      velocity_verlet{1e-6}};
+                   pendular::system s{m, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}},
+                                      boundary::walls{}, velocity_verlet{1e-6}};
                    s.add({{0, 0, 0}, r, rho});
                    s.distribute_liquid(-1e-12);
                  }),

@@ -100,7 +100,8 @@ TEST_CASE("a law that returns a value that is not finite at a wall stops the run
 }
 
 TEST_CASE("a grain that no wall holds is lost with its name, step and place") {
-  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-4}, run_options{.force = true}};
+  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-4},
+                     run_options{.force = true}};
   s.add({{0, 0, 0}, r, rho});
   s.add({{5e-3, 0, 0}, r, rho, {0, 100, 0}});
   const std::string said = failure([&] { s.run(100000); });
@@ -109,7 +110,8 @@ TEST_CASE("a grain that no wall holds is lost with its name, step and place") {
 }
 
 TEST_CASE("coincident centres are reported and not divided by") {
-  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-6}, run_options{.force = true}};
+  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-6},
+                     run_options{.force = true}};
   s.add({{1e-3, 0, 0}, r, rho});
   s.add({{1e-3, 0, 0}, r, rho});
   CHECK(mentions(failure([&] { s.start(); }), {"grain 0 at step 0", "overlaps grain 1", "limit"}));

@@ -26,7 +26,8 @@ inline void validate(const cylinder& c) {
   constexpr auto page = "docs/reference/boundary.md";
   const double length = norm(c.direction);
   expects(std::abs(length - 1) < 1e-9, "the length of a cylinder's direction", length, "1", page);
-  expects(c.radius > 0 && std::isfinite(c.radius), "the radius of a cylinder (m)", c.radius, "positive and finite", page);
+  expects(c.radius > 0 && std::isfinite(c.radius), "the radius of a cylinder (m)", c.radius, "positive and finite",
+          page);
 }
 
 }  // namespace pendular::boundary

@@ -25,10 +25,10 @@ struct constant_velocity {
 /// A plane lid pressed into the grains by a constant stress: a free mass along the normal, with a dashpot so that it
 /// does not bounce. The stress is that of the load alone; the lid has no weight.
 struct servo_stress {
-  double stress;   // Pa
-  double area;     // m2
-  double mass;     // of the lid, kg
-  double damping;  // N s/m
+  double stress;             // Pa
+  double area;               // m2
+  double mass;               // of the lid, kg
+  double damping;            // N s/m
   vector velocity{0, 0, 0};  // m/s
 
   void move(plane& wall, const vector& force, double time_step) {
@@ -42,7 +42,8 @@ struct servo_stress {
 
 inline void validate(const servo_stress& s) {
   constexpr auto page = "docs/reference/boundary.md";
-  expects(s.stress >= 0 && std::isfinite(s.stress), "the stress of a lid (Pa)", s.stress, "at least 0 and finite", page);
+  expects(s.stress >= 0 && std::isfinite(s.stress), "the stress of a lid (Pa)", s.stress, "at least 0 and finite",
+          page);
   expects(s.area > 0 && std::isfinite(s.area), "the area of a lid (m2)", s.area, "positive and finite", page);
   expects(s.mass > 0 && std::isfinite(s.mass), "the mass of a lid (kg)", s.mass, "positive and finite", page);
   expects(s.damping >= 0 && std::isfinite(s.damping), "the damping of a lid (N s/m)", s.damping,

@@ -23,7 +23,7 @@ struct wall {
                 "const` (docs/reference/boundary.md)");
   Shape shape;
   Drive drive;
-  Material material;  // `none`: the material of the grains
+  Material material;      // `none`: the material of the grains
   vector force{0, 0, 0};  // of the grains on the wall in the last step, N
   double work = 0;        // done by the wall on the grains since the start, J
 

@@ -30,7 +30,8 @@ class wall_contacts {
     const auto radius = g.template get<column::radius>();
     const auto id = g.template get<column::id>();
     std::vector<std::int32_t> old_place(g.size(), -1);
-    for (std::size_t k = 0; k < count_; ++k) old_place[static_cast<std::size_t>(rows_[k])] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < count_; ++k)
+      old_place[static_cast<std::size_t>(rows_[k])] = static_cast<std::int32_t>(k);
     std::vector<std::int32_t> rows;
     for (std::size_t row = 0; row < g.size(); ++row) {
       if (w.shape.meet(position[row], radius[row]).gap < range) rows.push_back(static_cast<std::int32_t>(row));
@@ -109,8 +110,8 @@ class wall_contacts {
   }
 
   template <class Grains>
-  [[nodiscard]] bool evaluate_block(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock,
-                      std::size_t k) {
+  [[nodiscard]] bool evaluate_block(const Grains& g, const Wall& w, const Material& material,
+                                    const contact_clock& clock, std::size_t k) {
     const encounter<block> e = meet(g, w, rows_.data() + k, w.drive.velocity, clock.time_step);
     memory<block> remembered = memory_.load_block(k);
     const contact_force<block> f = touch(material, e, remembered, clock.time_step);

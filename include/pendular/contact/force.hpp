@@ -11,12 +11,12 @@ namespace pendular {
 template <class T>
 struct encounter {
   approach<T> approaching;
-  Vec3<T> normal;            // from i to the partner
-  Vec3<T> velocity;          // of centre i relative to the partner, m/s
-  Vec3<T> rolling;           // (l_i w_i + l_j w_j) x normal, m/s; l are the lever arms
-  T twist;                   // turn of the pair about its normal in this step, rad
-  T tangential_mass;         // kg
-  T contacts;                // as in slip
+  Vec3<T> normal;     // from i to the partner
+  Vec3<T> velocity;   // of centre i relative to the partner, m/s
+  Vec3<T> rolling;    // (l_i w_i + l_j w_j) x normal, m/s; l are the lever arms
+  T twist;            // turn of the pair about its normal in this step, rad
+  T tangential_mass;  // kg
+  T contacts;         // as in slip
 };
 
 /// Without attraction: force on grain i is -push n + traction.

@@ -18,8 +18,8 @@ inline constexpr auto plays_friction = []<class P>() { return FrictionLaw<P>; };
 inline constexpr auto plays_book = []<class P>() { return std::is_same_v<P, energy_book>; };
 
 template <class P>
-inline constexpr bool plays_in_material = NormalLaw<P> || DampingLaw<P> || FrictionLaw<P> ||
-                                          std::is_same_v<P, energy_book> || std::is_same_v<P, none>;
+inline constexpr bool plays_in_material =
+    NormalLaw<P> || DampingLaw<P> || FrictionLaw<P> || std::is_same_v<P, energy_book> || std::is_same_v<P, none>;
 }  // namespace detail
 
 /// The dry contact of two grains: one normal law, and at most one damping law, one friction law and an `energy_book`,

@@ -24,6 +24,13 @@ struct pair_findings {
   bool trouble = false;       // an overlap beyond the limit or a value that is not finite
 };
 
+namespace detail {
+template <class Bonds>
+inline constexpr bool forms_on_closing = Bonds::forms_on_closing;
+template <>
+inline constexpr bool forms_on_closing<no_bonds> = false;
+}  // namespace detail
+
 /// What a pair does to its grains, in one cache line: the second phase meets the pairs of a grain in no order.
 template <bool Rotates>
 struct pair_action {
@@ -42,13 +49,14 @@ template <class Material, class Bonds>
 class pair_contacts {
  public:
   static constexpr bool wet = !std::is_same_v<Bonds, no_bonds>;
+  static constexpr bool remembers_gap = detail::forms_on_closing<Bonds>;
   template <class T>
   using memory = typename Material::template memory<T>;
 
   void carry(std::span<const std::int32_t> origin, std::size_t rows) {
     memory_.carry(origin, rows);
     actions_.assign(rows, {});
-    gap_.assign(rows, std::numeric_limits<double>::infinity());
+    carry_gap(origin, rows);
     work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
   }
@@ -56,6 +64,7 @@ class pair_contacts {
   template <class Grains>
   pair_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
                          const contact_clock& clock) {
+    if constexpr (remembers_gap) gap_.swap(gap_before_);
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       pair_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
@@ -71,7 +80,16 @@ class pair_contacts {
     return all;
   }
 
+  /// Gaps of the last evaluation, m.
   std::span<const double> gap() const { return gap_; }
+  /// The same with those of the evaluation before, which only bridges that form on closing ask for.
+  gap_history gaps() const { return {gap_, remembers_gap ? gap_before_ : gap_}; }
+
+  /// Takes the gaps of the last evaluation from the positions of the grains, so that a run that is resumed and one that
+  /// goes on agree on which contacts are closed.
+  void recall_gap(const pair_view& view) {
+    for (std::size_t p = 0; p < view.pairs; ++p) gap_[p] = view.gap(p);
+  }
 
   const pair_action<Material::has_friction>& action(std::size_t p) const { return actions_[p]; }
 
@@ -85,6 +103,16 @@ class pair_contacts {
 
  private:
   static constexpr std::size_t chunk = work_sums::chunk;
+
+  /// A pair that was not listed was apart.
+  void carry_gap(std::span<const std::int32_t> origin, std::size_t rows) {
+    std::vector<double> moved(rows, std::numeric_limits<double>::infinity());
+    for (std::size_t p = 0; p < origin.size(); ++p) {
+      if (origin[p] >= 0) moved[p] = gap_[static_cast<std::size_t>(origin[p])];
+    }
+    gap_.swap(moved);
+    if constexpr (remembers_gap) gap_before_.assign(rows, 0.0);
+  }
 
   template <class Grains>
   static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, double time_step) {
@@ -121,8 +149,9 @@ class pair_contacts {
 
   // Flattened, because a block passed to a function that is not inlined goes through memory.
   template <class Grains>
-  [[gnu::flatten]] void evaluate_block(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
-                      const contact_clock& clock, std::size_t p, pair_findings& found) {
+  PENDULAR_FLATTEN void evaluate_block(const Grains& g, const pair_list& list, const Material& material,
+                                       const Bonds& bonds, const contact_clock& clock, std::size_t p,
+                                       pair_findings& found) {
     const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, clock.time_step);
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
@@ -131,13 +160,14 @@ class pair_contacts {
     block pull = block::Zero();
     if constexpr (wet) {
       if (bonds.any_bonded(p)) pull = bonds.attraction(p, gap);
-      found.liquid_event |= bonds.has_event(p, gap);
+      found.liquid_event |= bonds.has_event(p, gap, remembers_gap ? load(gap_before_.data() + p) : gap);
     }
     const block push = f.push - pull;
     const Vec3<block> force = f.traction - push * e.normal;
     store_results(p, gap, force, e.normal, f.traction);
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
-    found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) || !std::isfinite((gap + force.x + force.y + force.z).sum());
+    found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) ||
+                     !std::isfinite((gap + force.x + force.y + force.z).sum());
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 
@@ -159,7 +189,7 @@ class pair_contacts {
 
   scalar_table<memory> memory_;
   std::vector<pair_action<Material::has_friction>> actions_;
-  std::vector<double> gap_;
+  std::vector<double> gap_, gap_before_;
   work_sums_of<Material> work_;
   std::vector<pair_findings> findings_;
 };

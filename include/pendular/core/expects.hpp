@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
@@ -36,6 +37,10 @@ inline std::string complaint(std::string_view what, double value, std::string_vi
 
 inline void expects(bool holds, std::string_view what, double value, std::string_view bound, std::string_view where) {
   if (!holds) throw input_error(complaint(what, value, bound, where));
+}
+
+inline void expects_positive(std::string_view what, double value, std::string_view where) {
+  expects(value > 0 && std::isfinite(value), what, value, "positive and finite", where);
 }
 
 }  // namespace pendular

@@ -6,6 +6,19 @@
 #include <cstddef>
 #include <cstdint>
 
+// Inlines all that a function calls, where that is what its speed stands on. Not under sanitizers, whose checks make
+// such a function too long to compile.
+#if defined(__SANITIZE_ADDRESS__)
+#define PENDULAR_FLATTEN
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PENDULAR_FLATTEN
+#endif
+#endif
+#ifndef PENDULAR_FLATTEN
+#define PENDULAR_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace pendular {
 
 /// Pairs are evaluated this many at a time. Fixed, so that results do not depend on the machine's register width.

@@ -31,7 +31,8 @@ class scalar_table {
   }
   void store_block(std::size_t first_row, const Record<block>& record) {
     std::size_t k = 0;
-    for_each_scalar<block>(record, [&](const block& value) { pendular::store(columns_[k++].data() + first_row, value); });
+    for_each_scalar<block>(record,
+                           [&](const block& value) { pendular::store(columns_[k++].data() + first_row, value); });
   }
 
   Record<double> row(std::size_t index) const {

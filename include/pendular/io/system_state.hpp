@@ -157,9 +157,8 @@ template <class Grains>
 void get_grains(const checkpoint_reader& in, Grains& g) {
   const auto count = static_cast<std::size_t>(in.get<std::uint64_t>("system.grains"));
   g.resize(count);
-  for_each_column<Grains>([&](const std::string& name, auto column) {
-    fill<decltype(column)>(g, in.get<std::vector<double>>(name));
-  });
+  for_each_column<Grains>(
+      [&](const std::string& name, auto column) { fill<decltype(column)>(g, in.get<std::vector<double>>(name)); });
   const auto ids = g.template get<column::id>();
   for (std::size_t k = 0; k < count; ++k) ids[k] = static_cast<std::int64_t>(k);
 }

@@ -22,7 +22,9 @@ concept DampingLaw = std::copyable<L> && requires(const L law, const approach<do
 
 namespace detail {
 template <class L, class T>
-concept Remembers = requires { typename L::template contact_memory<T>; };
+concept Remembers = requires {
+  typename L::template contact_memory<T>;
+};
 
 struct no_memory {};
 template <class L, class T>
@@ -42,11 +44,11 @@ using contact_memory_t = typename detail::memory_of<L, T>::type;
 
 /// Force on grain i, N, opposing the slip, never longer than the friction coefficient times the normal force.
 template <class L>
-concept FrictionLaw =
-    std::copyable<L> &&
-    (requires(const L law, const slip<double> s, const double normal_force) {
+concept FrictionLaw = std::copyable<L> &&(
+    requires(const L law, const slip<double> s, const double normal_force) {
       { law.traction(s, normal_force) } -> std::convertible_to<Vec3<double>>;
-    } || requires(const L law, const slip<double> s, const double normal_force, contact_memory_t<L, double>& memory) {
+    } ||
+    requires(const L law, const slip<double> s, const double normal_force, contact_memory_t<L, double>& memory) {
       requires detail::Remembers<L, double>;
       { law.traction(s, normal_force, memory) } -> std::convertible_to<Vec3<double>>;
     });
@@ -65,7 +67,7 @@ concept Attracts = requires(const L law, const bridge<T> b, const fluid f) {
 
 /// Pull, N, at least 0, the same from both sides of gap = 0.
 template <class L>
-concept CapillaryLaw = std::copyable<L> && (detail::Attracts<L, double> || detail::Prepares<L, double>);
+concept CapillaryLaw = std::copyable<L> &&(detail::Attracts<L, double> || detail::Prepares<L, double>);
 
 /// Gap at which a bridge breaks, m, growing with its volume.
 template <class L>
@@ -75,9 +77,9 @@ concept RuptureLaw = std::copyable<L> && requires(const L law, const bridge<doub
 
 /// A capillary law that knows the work from the gap of a bridge to its rupture distance, J.
 template <class L>
-concept HasCapillaryEnergy =
-    CapillaryLaw<L> && requires(const L law, const bridge<double> b, const fluid f, const double rupture_distance) {
-      { law.energy(b, f, rupture_distance) } -> std::convertible_to<double>;
-    };
+concept HasCapillaryEnergy = CapillaryLaw<L> &&
+    requires(const L law, const bridge<double> b, const fluid f, const double rupture_distance) {
+  { law.energy(b, f, rupture_distance) } -> std::convertible_to<double>;
+};
 
 }  // namespace pendular

@@ -28,11 +28,11 @@ struct approach {
 /// What a friction law sees.
 template <Scalar T>
 struct slip {
-  Vec3<T> velocity;    // of the surface of i relative to that of j, in the tangent plane, m/s
-  Vec3<T> normal;      // from i to j
-  T tangential_mass;   // (2/7) reduced mass for two solid spheres free to roll, kg
-  T contacts;          // touching neighbours of the two grains, mean weighted by inverse mass, at least 1
-  double time_step;    // s
+  Vec3<T> velocity;   // of the surface of i relative to that of j, in the tangent plane, m/s
+  Vec3<T> normal;     // from i to j
+  T tangential_mass;  // (2/7) reduced mass for two solid spheres free to roll, kg
+  T contacts;         // touching neighbours of the two grains, mean weighted by inverse mass, at least 1
+  double time_step;   // s
 };
 
 /// What a capillary or a rupture law sees.
@@ -46,10 +46,10 @@ struct bridge {
 
 /// The liquid, said once for law, rupture and the conversion of water content to volume.
 struct fluid {
-  double surface_tension;   // gamma_s, N/m
-  double contact_angle;     // theta, rad, in [0, pi/2)
-  double density;           // kg/m3
-  double viscosity;         // Pa s
+  double surface_tension;  // gamma_s, N/m
+  double contact_angle;    // theta, rad, in [0, pi/2)
+  double density;          // kg/m3
+  double viscosity;        // Pa s
 
   /// Water on clean glass at 20 degrees C (CRC Handbook of Chemistry and Physics).
   static constexpr fluid water() { return {0.0728, 0.0, 998.2, 1.002e-3}; }

@@ -37,7 +37,8 @@ T stiffness(const Law& law, const approach<T>& a) {
     const dual force = law.repulsion(detail::varied(a));
     return -force.derivatives()(0);
   } else if constexpr (std::is_arithmetic_v<T>) {
-    return static_cast<T>(stiffness(law, approach<double>{a.gap, a.closing_speed, a.reduced_mass, a.radius_i, a.radius_j}));
+    return static_cast<T>(
+        stiffness(law, approach<double>{a.gap, a.closing_speed, a.reduced_mass, a.radius_i, a.radius_j}));
   } else {
     T result = a.gap;
     for (Eigen::Index k = 0; k < result.size(); ++k) {

@@ -21,6 +21,7 @@ class bonds {
   template <class T>
   using coefficients = coefficients_t<typename Liquid::capillary_law, T>;
 
+  static constexpr bool forms_on_closing = Liquid::forms_on_closing;
   static constexpr double never = -1e300;  // a gap no pair reaches; finite, because lanes multiply by zero
 
   explicit bonds(const Liquid& liquid) : liquid_(liquid) {}
@@ -30,7 +31,8 @@ class bonds {
   const ledger& book() const { return ledger_; }
   bool is_bonded(std::size_t p) const { return ledger_.bonds()[p] > 0; }
   std::size_t count() const {
-    return static_cast<std::size_t>(std::count_if(ledger_.bonds().begin(), ledger_.bonds().end(), [](double v) { return v > 0; }));
+    return static_cast<std::size_t>(
+        std::count_if(ledger_.bonds().begin(), ledger_.bonds().end(), [](double v) { return v > 0; }));
   }
 
   double breaks_above(std::size_t p) const { return breaks_above_[p]; }
@@ -54,20 +56,22 @@ class bonds {
     return pull * alive;
   }
 
-  bool any_bonded(std::size_t first_pair) const {
-    return (load(breaks_above_.data() + first_pair) > 0).any();
-  }
+  bool any_bonded(std::size_t first_pair) const { return (load(breaks_above_.data() + first_pair) > 0).any(); }
 
-  /// Whether a pair of the block breaks or may form.
-  bool has_event(std::size_t first_pair, const block& gap) const {
+  /// Whether a pair of the block breaks or may form; `before` is the gap one step ago.
+  bool has_event(std::size_t first_pair, const block& gap, const block& before) const {
     const block ceiling = load(breaks_above_.data() + first_pair);
+    const block floor = load(forms_below_.data() + first_pair);
     const block breaking = (gap - ceiling) * unit_step(ceiling);
-    const block forming = load(forms_below_.data() + first_pair) - gap;
+    block forming = floor - gap;
+    if constexpr (forms_on_closing) forming *= 1.0 - unit_step(block(floor - before));
     return breaking.max(forming).maxCoeff() > 0;
   }
 
   bool breaks(std::size_t p, double gap) const { return is_bonded(p) && gap > breaks_above_[p]; }
-  bool forms(std::size_t p, double gap) const { return !is_bonded(p) && gap < forms_below_[p]; }
+  bool forms(std::size_t p, double gap, double before) const {
+    return !is_bonded(p) && gap < forms_below_[p] && (!forms_on_closing || before >= forms_below_[p]);
+  }
 
   /// Largest rupture distance of a present bridge or of one that present films could form, m: what the list must see.
   double reach(const pair_view& view) const {
@@ -88,7 +92,8 @@ class bonds {
   void carry(std::span<const std::int32_t> origin, const pair_view& view) {
     const std::size_t rows = view.first.size();
     if (!ledger_.carry_bonds(origin, rows).empty()) {
-      throw run_error("a liquid bridge lost its pair when the neighbour list was rebuilt (see docs/reference/liquid.md)");
+      throw run_error(
+          "a liquid bridge lost its pair when the neighbour list was rebuilt (see docs/reference/liquid.md)");
     }
     coefficients_.carry(origin, rows);
     breaks_above_.assign(rows, never);

@@ -15,7 +15,7 @@ namespace pendular {
 /// A pair that might receive liquid.
 struct candidate {
   std::size_t pair;
-  bridge<double> geometry;        // volume not used
+  bridge<double> geometry;  // volume not used
   std::pair<std::int64_t, std::int64_t> ids;
 
   /// R^3 of Eq. 14, R = sqrt(R_i R_j), m3.
@@ -78,7 +78,8 @@ homogeneous_share share_homogeneously(const Rupture& rupture, const fluid& f, co
                                       double liquid_volume) {
   std::vector<std::pair<double, std::size_t>> by_alpha(candidates.size());
   const alpha_range range = possible_alpha(candidates, liquid_volume);
-  for (std::size_t k = 0; k < candidates.size(); ++k) by_alpha[k] = {joining_alpha(rupture, f, candidates[k], range), k};
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    by_alpha[k] = {joining_alpha(rupture, f, candidates[k], range), k};
   std::sort(by_alpha.begin(), by_alpha.end(), [&](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : candidates[a.second].ids < candidates[b.second].ids;
   });

@@ -8,8 +8,10 @@
 
 namespace pendular::formation {
 
-/// A bridge forms when the grains touch.
+/// A bridge forms in the step in which its grains come to touch. A contact that closes dry stays dry until it has opened
+/// and closes again.
 struct at_contact {
+  static constexpr bool needs_closing = true;
   double minimum_volume = 1e-6;  // V_b / R^3, R = sqrt(R_i R_j); below it the liquid stays on the grains
 
   /// Gap below which a bridge forms, m.

@@ -38,16 +38,16 @@ class ledger {
 
   /// New liquid, m3, into the reservoir. Errors: negative or not finite.
   void introduce(double volume) {
-    expects(volume >= 0 && std::isfinite(volume), "the liquid volume introduced (m3)", volume,
-            "at least 0 and finite", "docs/reference/liquid.md");
+    expects(volume >= 0 && std::isfinite(volume), "the liquid volume introduced (m3)", volume, "at least 0 and finite",
+            "docs/reference/liquid.md");
     add_to_reservoir(volume);
     introduced_ += volume;
   }
 
   /// Moves at most what the account has. The reservoir alone may go below 0, by round-off of a full distribution.
   void transfer(account from, account to, double volume) {
-    expects(volume >= 0 && std::isfinite(volume), "the liquid volume transferred (m3)", volume,
-            "at least 0 and finite", "docs/reference/liquid.md");
+    expects(volume >= 0 && std::isfinite(volume), "the liquid volume transferred (m3)", volume, "at least 0 and finite",
+            "docs/reference/liquid.md");
     const double moved = from.what == kind::reservoir ? volume : std::min(volume, balance(from));
     add(from, -moved);
     add(to, moved);

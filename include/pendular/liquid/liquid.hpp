@@ -14,7 +14,8 @@
 
 namespace pendular {
 
-/// Rule for the gap below which two wet grains are joined.
+/// Rule for the gap below which two wet grains are joined. With `needs_closing = true` only a pair that was not below it
+/// in the step before is.
 template <class F>
 concept FormationRule = std::copyable<F> && requires(const F rule, const double rupture_distance) {
   { rule.reach(rupture_distance) } -> std::convertible_to<double>;
@@ -64,6 +65,9 @@ class liquid {
       std::conditional_t<GlobalProtocol<protocol_type>, formation::within_rupture_distance, formation::at_contact>>;
 
   static constexpr bool redistributes_locally = LocalProtocol<protocol_type>;
+  static constexpr bool forms_on_closing = redistributes_locally && requires {
+    requires formation_rule::needs_closing;
+  };
   static constexpr bool redistributes_globally = GlobalProtocol<protocol_type>;
   static constexpr bool needs_gravity = requires { requires protocol_type::needs_gravity; };
 

@@ -12,6 +12,12 @@
 
 namespace pendular {
 
+/// Gaps of the listed pairs in this step and in the one before, m.
+struct gap_history {
+  std::span<const double> now;
+  std::span<const double> before;
+};
+
 /// Read-only look at the listed pairs and their grains, as the liquid needs it.
 struct pair_view {
   std::span<const std::int32_t> first, second;  // rows of the grains, padded
@@ -19,7 +25,7 @@ struct pair_view {
   std::span<const vector> position;             // m
   std::span<const double> radius;               // m
   std::span<const std::int64_t> id;
-  vector up;                                    // unit vector against gravity, or 0
+  vector up;  // unit vector against gravity, or 0
 
   std::size_t grain_i(std::size_t p) const { return static_cast<std::size_t>(first[p]); }
   std::size_t grain_j(std::size_t p) const { return static_cast<std::size_t>(second[p]); }

@@ -37,10 +37,10 @@ struct pull {
 
 /// The three moves of a local protocol for one grain that has a film.
 template <class Liquid, class PairsOf>
-void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view, std::span<const double> gap,
+void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view, const gap_history& gap,
                 const PairsOf& pairs_of, std::vector<pull>& pulls) {
   const auto protocol = b.policies().redistribution();
-  const auto receives = [&](std::size_t p) { return b.is_bonded(p) || b.forms(p, gap[p]); };
+  const auto receives = [&](std::size_t p) { return b.is_bonded(p) || b.forms(p, gap.now[p], gap.before[p]); };
   const auto side = [&](std::size_t p) { return view.side(p, grain, !b.is_bonded(p)); };
   std::optional<decltype(protocol.offer(bond_side{}))> merged;
   for (const auto& incidence : pairs_of(grain)) {
@@ -90,6 +90,36 @@ std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_vi
   return formed;
 }
 
+/// New thresholds for the pairs without a bridge of all grains whose film has changed.
+template <class Liquid, class PairsOf>
+void refresh_dry_pairs(bonds<Liquid>& b, std::vector<std::size_t> grains, const pair_view& view,
+                       const PairsOf& pairs_of) {
+  std::sort(grains.begin(), grains.end());
+  grains.erase(std::unique(grains.begin(), grains.end()), grains.end());
+  for (const std::size_t grain : grains) {
+    for (const auto& incidence : pairs_of(grain)) {
+      const auto p = static_cast<std::size_t>(incidence.pair);
+      if (!b.is_bonded(p)) b.refresh(p, view);
+    }
+  }
+}
+
+/// All bridges beyond their rupture distance, in the order of their ids. Answers how many.
+template <class Liquid, class PairsOf>
+std::int64_t break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap,
+                         const PairsOf& pairs_of) {
+  std::vector<std::size_t> broken;
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    if (b.breaks(p, gap[p])) broken.push_back(p);
+  }
+  std::sort(broken.begin(), broken.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
+  for (const std::size_t p : broken) break_bond(b, p, gap[p], view);
+  std::vector<std::size_t> grains;
+  for (const std::size_t p : broken) grains.insert(grains.end(), {view.grain_i(p), view.grain_j(p)});
+  refresh_dry_pairs(b, std::move(grains), view, pairs_of);
+  return static_cast<std::int64_t>(broken.size());
+}
+
 }  // namespace detail
 
 /// Bridges torn in one step beyond the range of the list that is about to be made break here, before they lose their
@@ -109,33 +139,18 @@ std::int64_t break_torn_bonds(bonds<Liquid>& b, const pair_view& view, double ra
 /// grains, then a local protocol moves films into bonds. `pairs_of(grain)` lists the pairs of a grain by partner id,
 /// so the result depends neither on the order of the pairs nor on the number of threads.
 template <class Liquid, class PairsOf>
-bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap, const PairsOf& pairs_of) {
+bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of) {
   bond_events events;
-  std::vector<std::size_t> touched;  // grains whose film changes
-  std::vector<std::size_t> broken;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    if (b.breaks(p, gap[p])) broken.push_back(p);
-    if (b.breaks(p, gap[p]) || b.forms(p, gap[p])) touched.insert(touched.end(), {view.grain_i(p), view.grain_j(p)});
-  }
-  std::sort(broken.begin(), broken.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
-  for (const std::size_t p : broken) detail::break_bond(b, p, gap[p], view);
-  for (const std::size_t p : broken) b.refresh(p, view);  // all of them see the films as they are after the last rupture
-  events.ruptures = static_cast<std::int64_t>(broken.size());
+  events.ruptures = detail::break_bonds(b, view, gap.now, pairs_of);
   if constexpr (Liquid::redistributes_locally) {
     std::vector<detail::pull> pulls;
     for (std::size_t grain = 0; grain < view.radius.size(); ++grain) {
       if (b.book().films()[grain] > 0) detail::offer_film(b, grain, view, gap, pairs_of, pulls);
     }
-    for (const auto& pull : pulls) touched.push_back(pull.grain);
-    events.formations = detail::carry_out(b, pulls, view, gap);
-  }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  for (const std::size_t grain : touched) {
-    for (const auto& incidence : pairs_of(grain)) {
-      const auto p = static_cast<std::size_t>(incidence.pair);
-      if (!b.is_bonded(p)) b.refresh(p, view);
-    }
+    std::vector<std::size_t> drained;
+    for (const auto& pull : pulls) drained.push_back(pull.grain);
+    events.formations = detail::carry_out(b, pulls, view, gap.now);
+    detail::refresh_dry_pairs(b, std::move(drained), view, pairs_of);
   }
   return events;
 }
@@ -192,8 +207,7 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
   for (std::size_t g = 0; g < view.radius.size(); ++g) b.book().empty(ledger::film_of(g), ledger::reservoir());
 
   const double volume = b.book().introduced();  // all of it is in the reservoir now; this figure has no round-off
-  const homogeneous_share share =
-      share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
+  const homogeneous_share share = share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
   if (share.alpha > 0 && share.alpha >= b.policies().formation().minimum_volume) {
     for (const std::size_t k : share.eligible) {
       const std::size_t p = all[k].pair;

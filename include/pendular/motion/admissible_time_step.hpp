@@ -137,7 +137,8 @@ scene_limit viscosity_step_limit(const Integration& integrator, const Grains& g,
   if constexpr (requires { material.friction().tangential_viscosity; } && !Material::counts_contacts) {
     const auto inverse_mass = g.template get<column::inverse_mass>();
     for (std::size_t k = 0; k < g.size(); ++k) {
-      const double rate = 7 * inverse_mass[k] * std::max(all[k].contacts, 1.0) * material.friction().tangential_viscosity;
+      const double rate =
+          7 * inverse_mass[k] * std::max(all[k].contacts, 1.0) * material.friction().tangential_viscosity;
       const double step = Integration::stable_step(0, rate);
       if (step < worst.bound) worst = {worst.what, worst.value, step, g.template get<column::id>()[k]};
     }
@@ -155,8 +156,8 @@ scene_limit capillary_step_limit(const Integration& integrator, const Grains& g,
     if (!b.is_bonded(p)) continue;
     const std::size_t i = view.grain_i(p), j = view.grain_j(p);
     const double first_gap = 1e-9 * std::min(view.radius[i], view.radius[j]);
-    const double steepness =
-        std::abs(slope(b.policies().law(), view.bridge_of(p, first_gap, b.book().bonds()[p]), b.policies().substance()));
+    const double steepness = std::abs(
+        slope(b.policies().law(), view.bridge_of(p, first_gap, b.book().bonds()[p]), b.policies().substance()));
     const double step = 0.1 / std::sqrt(steepness * (inverse_mass[i] + inverse_mass[j]));
     if (step < worst.bound) worst = {worst.what, worst.value, step, view.id[i]};
   }

@@ -14,8 +14,8 @@ namespace pendular {
 /// What walls do to the grains in a step, collected before the pairs are added.
 template <class Grains>
 struct wall_loads {
-  std::vector<vector> force;    // N
-  std::vector<vector> torque;   // N m; empty without friction
+  std::vector<vector> force;     // N
+  std::vector<vector> torque;    // N m; empty without friction
   std::vector<double> contacts;  // empty unless the friction law counts them
 
   void clear(std::size_t grains) {

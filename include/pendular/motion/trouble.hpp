@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pendular/core/expects.hpp>
-#include <pendular/space/grains.hpp>
 #include <pendular/space/cell_grid.hpp>
+#include <pendular/space/grains.hpp>
 #include <pendular/space/pair_list.hpp>
 
 #include <algorithm>
@@ -64,12 +64,14 @@ template <class Grains, class Contacts>
     }
     if (gap[p] > -overlap_limit * smaller) {
       throw run_error(detail::at_step(id[i], step) + " and grain " + std::to_string(id[j]) + " at a gap of " +
-                      detail::number(gap[p]) + " m got a force that is not finite from a contact law: check its "
+                      detail::number(gap[p]) +
+                      " m got a force that is not finite from a contact law: check its "
                       "parameters and its limits (see docs/how-to/stability.md)");
     }
     throw run_error(detail::at_step(id[i], step) + " overlaps grain " + std::to_string(id[j]) + " by " +
                     detail::number(-gap[p] / smaller) + " of its radius, more than the limit of " +
-                    detail::number(overlap_limit) + ": the contact is too soft for the load or the step too long (see "
+                    detail::number(overlap_limit) +
+                    ": the contact is too soft for the load or the step too long (see "
                     "docs/how-to/stability.md)");
   }
   throw run_error("a law returned a value that is not finite at step " + std::to_string(step) +
@@ -87,12 +89,13 @@ template <class Grains, class WallContacts>
     const double overlap = -contacts.gap(k) / radius[row];
     const vector& force = contacts.force(k);
     if (overlap < overlap_limit && std::isfinite(dot(force, force))) continue;
-    throw run_error(detail::at_step(id[row], step) + (std::isfinite(overlap) && overlap >= overlap_limit
-                        ? " overlaps a wall by " + detail::number(overlap) + " of its radius, more than the limit of " +
-                              detail::number(overlap_limit) +
-                              ": the wall is too soft for the load or the step too long (see docs/how-to/stability.md)"
-                        : " got a force that is not finite from a wall: check the wall's material and shape (see "
-                          "docs/how-to/stability.md)"));
+    throw run_error(detail::at_step(id[row], step) +
+                    (std::isfinite(overlap) && overlap >= overlap_limit
+                         ? " overlaps a wall by " + detail::number(overlap) +
+                               " of its radius, more than the limit of " + detail::number(overlap_limit) +
+                               ": the wall is too soft for the load or the step too long (see docs/how-to/stability.md)"
+                         : " got a force that is not finite from a wall: check the wall's material and shape (see "
+                           "docs/how-to/stability.md)"));
   }
   throw run_error("a wall returned a value that is not finite at step " + std::to_string(step) +
                   " (see docs/how-to/stability.md)");

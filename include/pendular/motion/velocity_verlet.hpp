@@ -14,10 +14,11 @@ namespace pendular {
 /// grains of very different size (Vyas et al. 2025); the stable step under strong damping is about half as long.
 /// Source: Allen and Tildesley, Computer Simulation of Liquids (1987), section 3.2.
 struct velocity_verlet {
-  static constexpr double velocity_lag = 0;  // steps by which the velocities the forces see are older than the positions
+  static constexpr double velocity_lag =
+      0;  // steps by which the velocities the forces see are older than the positions
 
-  double time_step;          // s
-  vector gravity{0, 0, 0};   // m/s2
+  double time_step;         // s
+  vector gravity{0, 0, 0};  // m/s2
 
   void predict(vector& position, vector& velocity, const vector& acceleration) const {
     const double dt = time_step;
@@ -41,8 +42,8 @@ struct velocity_verlet {
 struct half_step_velocity_verlet {
   static constexpr double velocity_lag = 0.5;  // steps
 
-  double time_step;          // s
-  vector gravity{0, 0, 0};   // m/s2
+  double time_step;         // s
+  vector gravity{0, 0, 0};  // m/s2
 
   void predict(vector& position, vector& velocity, const vector& acceleration) const {
     velocity += (0.5 * time_step) * acceleration;

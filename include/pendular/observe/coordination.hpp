@@ -11,9 +11,9 @@ namespace pendular::observe {
 
 /// Mean numbers of neighbours per grain, z = 2 N / N_grains, walls not counted.
 struct coordination {
-  double contacts;     // touching
-  double bridges;      // joined by liquid, touching or not
-  double open_bridges; // joined by liquid across a gap
+  double contacts;      // touching
+  double bridges;       // joined by liquid, touching or not
+  double open_bridges;  // joined by liquid across a gap
 };
 
 /// Of a system whose forces have been evaluated.
@@ -22,7 +22,8 @@ coordination coordination_of(const System& s) {
   const auto view = s.view();
   const auto gap = s.contacts().gap();
   const auto mean = [&](const auto& counts) {
-    return 2.0 * static_cast<double>(::ranges::count_if(indices(view.pairs), counts)) / static_cast<double>(s.particles().size());
+    return 2.0 * static_cast<double>(::ranges::count_if(indices(view.pairs), counts)) /
+           static_cast<double>(s.particles().size());
   };
   coordination z{mean([&](std::size_t p) { return gap[p] < 0; }), 0, 0};
   if constexpr (System::wet) {

@@ -17,14 +17,14 @@ namespace pendular::observe {
 /// Where the energy of a scene is and went, J. The sum of all entries, wall work negative, stays constant.
 struct energies {
   double kinetic = 0;
-  double gravity = 0;          // of the heights
-  double elastic = 0;          // normal contacts
-  double friction_springs = 0; // part of `friction` below that has not been lost yet; not added again
-  double capillary = 0;        // at most 0: minus the work that would open the bridges
-  double damping = 0;          // lost
-  double friction = 0;         // lost or in friction springs
-  double liquid = 0;           // set free by bridges that formed, broke or were refilled, and lost
-  double walls = 0;            // work done by the walls on the grains
+  double gravity = 0;           // of the heights
+  double elastic = 0;           // normal contacts
+  double friction_springs = 0;  // part of `friction` below that has not been lost yet; not added again
+  double capillary = 0;         // at most 0: minus the work that would open the bridges
+  double damping = 0;           // lost
+  double friction = 0;          // lost or in friction springs
+  double liquid = 0;            // set free by bridges that formed, broke or were refilled, and lost
+  double walls = 0;             // work done by the walls on the grains
 
   double balance() const { return kinetic + gravity + elastic + capillary + damping + friction + liquid - walls; }
   /// Energy that went through the scene since another entry: what a residual of the balance is compared with.
@@ -71,7 +71,8 @@ void add_pairs(const System& s, energies& e) {
   if constexpr (requires(approach<double> a) { m.normal().energy(a); }) {
     e.elastic += sum(view.pairs, [&](std::size_t p) {
       const double reduced = 1 / (inverse_mass[view.grain_i(p)] + inverse_mass[view.grain_j(p)]);
-      return m.normal().energy(approach<double>{gap[p], 0, reduced, view.radius[view.grain_i(p)], view.radius[view.grain_j(p)]});
+      return m.normal().energy(
+          approach<double>{gap[p], 0, reduced, view.radius[view.grain_i(p)], view.radius[view.grain_j(p)]});
     });
   }
   add_springs(m, s.contacts().memories(), view.pairs, e);

@@ -24,7 +24,7 @@ struct compression_record {
 };
 
 struct compression_result {
-  double sealed_height = 0;       // m
+  double sealed_height = 0;  // m
   double solid_fraction = 0;
   double initial_bridges = 0;     // mean per grain, as distributed
   double relaxed_bridges = 0;     // mean per grain, when the lid starts
@@ -43,8 +43,9 @@ namespace detail {
 /// All numbers of a result in one fixed order.
 template <class Result, class Visit>
 void for_each_number(Result& r, const Visit& visit) {
-  for (auto* v : {&r.sealed_height, &r.solid_fraction, &r.initial_bridges, &r.relaxed_bridges, &r.surface_before,
-                  &r.centre_before, &r.surface_settlement, &r.centre_settlement, &r.unbalanced_force, &r.start_height}) {
+  for (auto* v :
+       {&r.sealed_height, &r.solid_fraction, &r.initial_bridges, &r.relaxed_bridges, &r.surface_before,
+        &r.centre_before, &r.surface_settlement, &r.centre_settlement, &r.unbalanced_force, &r.start_height}) {
     visit(*v);
   }
   auto& e = r.energy_at_start;

@@ -36,7 +36,8 @@ inline double mean_diameter(const grading& g) {
 /// Diameters of `count` grains in random order: exact proportions, rounded so that the numbers add up.
 inline std::vector<double> diameters(const grading& g, std::int64_t count, std::uint64_t seed) {
   expects(count > 0, "the number of grains", static_cast<double>(count), "at least 1", "docs/reference/scenes.md");
-  const double sum = std::accumulate(g.begin(), g.end(), 0.0, [](double s, const grain_class& c) { return s + c.proportion; });
+  const double sum =
+      std::accumulate(g.begin(), g.end(), 0.0, [](double s, const grain_class& c) { return s + c.proportion; });
   expects(std::abs(sum - 1) < 1e-9, "the sum of the proportions of a grading", sum, "1", "docs/reference/scenes.md");
   std::vector<double> all;
   double wanted = 0;

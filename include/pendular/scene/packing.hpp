@@ -24,39 +24,36 @@ struct packing_parameters {
   std::int64_t grains = 8000;
   double cylinder_radius = 12.5e-3;  // m
   grading sizes = compression_grading();
-  double density = 2700;             // of the grains, kg/m3
-  double gravity = 9.81;             // m/s2
-  double lid_stress = 300;           // that seals the sample, Pa
-  double deposition = 0.2;           // s
-  double sealing = 0.2;              // s
-  double time_step = 4e-6;           // s
+  double density = 2700;    // of the grains, kg/m3
+  double gravity = 9.81;    // m/s2
+  double lid_stress = 300;  // that seals the sample, Pa
+  double deposition = 0.2;  // s
+  double sealing = 0.2;     // s
+  double time_step = 4e-6;  // s
   std::uint64_t seed = 1;
-  bool force = false;                // run even if the scene breaks a limit
+  bool force = false;  // run even if the scene breaks a limit
 
   double area() const { return std::numbers::pi * cylinder_radius * cylinder_radius; }
 };
 
 inline void validate(const packing_parameters& p) {
   constexpr auto page = "docs/reference/scenes.md";
-  const auto positive = [&](const char* what, double value) {
-    expects(value > 0 && std::isfinite(value), what, value, "positive and finite", page);
-  };
-  positive("the number of grains", static_cast<double>(p.grains));
-  positive("the radius of the cylinder (m)", p.cylinder_radius);
-  positive("the density of the grains (kg/m3)", p.density);
-  positive("the gravity (m/s2)", p.gravity);
-  positive("the stress of the lid (Pa)", p.lid_stress);
-  positive("the duration of the deposition (s)", p.deposition);
-  positive("the duration of the sealing (s)", p.sealing);
-  positive("the time step (s)", p.time_step);
+  expects_positive("the number of grains", static_cast<double>(p.grains), page);
+  expects_positive("the radius of the cylinder (m)", p.cylinder_radius, page);
+  expects_positive("the density of the grains (kg/m3)", p.density, page);
+  expects_positive("the gravity (m/s2)", p.gravity, page);
+  expects_positive("the stress of the lid (Pa)", p.lid_stress, page);
+  expects_positive("the duration of the deposition (s)", p.deposition, page);
+  expects_positive("the duration of the sealing (s)", p.sealing, page);
+  expects_positive("the time step (s)", p.time_step, page);
 }
 
 /// Grains at rest between floor, cylinder and lid, in the order of their ids.
 struct sealed_packing {
   std::vector<grain> grains;
-  double height = 0;          // of the lid, m
+  double height = 0;  // of the lid, m
   double solid_fraction = 0;
-  double solid_mass = 0;      // kg
+  double solid_mass = 0;  // kg
 };
 
 inline void save(io::checkpoint_writer& out, const sealed_packing& p) {
@@ -96,12 +93,14 @@ class packing {
     if (system_.particles().size() == 0) fill();
     const auto keep = [&] { save(watch); };
     if (!sealing_) {
-      run_stage(system_, "deposit", done_, steps(parameters_.deposition), slice, watch,
-                [&] { return "height " + millimetres(top()); }, keep);
+      run_stage(
+          system_, "deposit", done_, steps(parameters_.deposition), slice, watch,
+          [&] { return "height " + millimetres(top()); }, keep);
       put_lid_on();
     }
-    run_stage(system_, "seal", done_, steps(parameters_.sealing), slice, watch,
-              [&] { return "height " + millimetres(lid().shape.point.z); }, keep);
+    run_stage(
+        system_, "seal", done_, steps(parameters_.sealing), slice, watch,
+        [&] { return "height " + millimetres(lid().shape.point.z); }, keep);
     return sealed();
   }
 
@@ -119,15 +118,14 @@ class packing {
     validate(p);
     return p;
   }
-  static half_step_velocity_verlet integrator(const packing_parameters& p) {
-    return {p.time_step, {0, 0, -p.gravity}};
-  }
+  static half_step_velocity_verlet integrator(const packing_parameters& p) { return {p.time_step, {0, 0, -p.gravity}}; }
   static walls_type enclosure(const packing_parameters& p, const smooth& m) {
     using boundary::wall, boundary::plane, boundary::cylinder, boundary::fixed, boundary::servo_stress;
     const double lid_mass = 2 * p.area(), lid_damping = 2000 * p.area();  // light, and near critical on a sample
-    return walls_type{wall(plane{{0, 0, 0}, {0, 0, 1}}, fixed{}, m),
-                      wall(cylinder{{0, 0, 0}, {0, 0, 1}, p.cylinder_radius}, fixed{}, m),
-                      wall(plane{{0, 0, out_of_the_way}, {0, 0, -1}}, servo_stress{0, p.area(), lid_mass, lid_damping}, m)};
+    return walls_type{
+        wall(plane{{0, 0, 0}, {0, 0, 1}}, fixed{}, m),
+        wall(cylinder{{0, 0, 0}, {0, 0, 1}, p.cylinder_radius}, fixed{}, m),
+        wall(plane{{0, 0, out_of_the_way}, {0, 0, -1}}, servo_stress{0, p.area(), lid_mass, lid_damping}, m)};
   }
 
   void fill() {

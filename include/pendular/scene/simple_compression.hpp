@@ -29,21 +29,18 @@ struct compression_parameters {
   double mass_scaling = 1;        // of the inertia; weights stay
   double sample_interval = 1e-3;  // of the stress-strain curve, s
   bond_selection selection{};
-  bool force = false;             // run even if the scene breaks a limit
+  bool force = false;  // run even if the scene breaks a limit
 };
 
 inline void validate(const compression_parameters& p) {
   constexpr auto page = "docs/reference/scenes.md";
-  const auto positive = [&](const char* what, double value) {
-    expects(value > 0 && std::isfinite(value), what, value, "positive and finite", page);
-  };
-  positive("the area of the sample (m2)", p.area);
-  positive("the duration of the relaxation (s)", p.relaxation);
-  positive("the duration of the compression (s)", p.duration);
-  positive("the time step (s)", p.time_step);
-  positive("the mass scaling", p.mass_scaling);
-  positive("the sample interval (s)", p.sample_interval);
-  positive("the speed of the lid (m/s)", p.lid_speed);
+  expects_positive("the area of the sample (m2)", p.area, page);
+  expects_positive("the duration of the relaxation (s)", p.relaxation, page);
+  expects_positive("the duration of the compression (s)", p.duration, page);
+  expects_positive("the time step (s)", p.time_step, page);
+  expects_positive("the mass scaling", p.mass_scaling, page);
+  expects_positive("the sample interval (s)", p.sample_interval, page);
+  expects_positive("the speed of the lid (m/s)", p.lid_speed, page);
   expects(p.water_content >= 0 && p.water_content < 1, "the water content w", p.water_content, "in [0, 1)", page);
 }
 
@@ -68,7 +65,8 @@ class simple_compression {
       g.velocity = g.angular_velocity = {0, 0, 0};
       system_.add(g);
     }
-    const double volume = parameters_.water_content * packing.solid_mass / system_.bridges().policies().substance().density;
+    const double volume =
+        parameters_.water_content * packing.solid_mass / system_.bridges().policies().substance().density;
     system_.distribute_liquid(volume, parameters_.selection);
     result_.initial_bridges = observe::coordination_of(system_).bridges;
     result_.surface_before = surface_height(system_.particles());
@@ -79,10 +77,12 @@ class simple_compression {
   const compression_result& run(const monitor& watch) {
     const auto keep = [&] { save(watch); };
     if (!compressing_) {
-      run_stage(system_, "relax", done_, steps(parameters_.relaxation), slice(), watch, [&] { return look_at_rest(); }, keep);
+      run_stage(
+          system_, "relax", done_, steps(parameters_.relaxation), slice(), watch, [&] { return look_at_rest(); }, keep);
       start_lid();
     }
-    run_stage(system_, "compress", done_, steps(parameters_.duration), slice(), watch, [&] { return record(); }, keep);
+    run_stage(
+        system_, "compress", done_, steps(parameters_.duration), slice(), watch, [&] { return record(); }, keep);
     return result_;
   }
 

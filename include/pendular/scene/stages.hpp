@@ -15,7 +15,8 @@ namespace pendular::scene {
 /// How a scene reports to whoever runs it.
 struct monitor {
   /// Stage, steps done and steps in all, one line of news.
-  std::function<void(const std::string& stage, std::int64_t done, std::int64_t total, const std::string& news)> progress;
+  std::function<void(const std::string& stage, std::int64_t done, std::int64_t total, const std::string& news)>
+      progress;
   std::filesystem::path checkpoint;          // none is written where this is empty
   std::int64_t checkpoint_interval = 50000;  // steps
   std::string label;                         // kept in the checkpoint, for whoever resumes

@@ -16,26 +16,46 @@ namespace pendular {
 
 /// A sphere as the user gives it.
 struct grain {
-  vector position;               // m
-  double radius;                 // m
-  double density;                // kg/m3
+  vector position;                   // m
+  double radius;                     // m
+  double density;                    // kg/m3
   vector velocity{0, 0, 0};          // m/s
   vector angular_velocity{0, 0, 0};  // rad/s; ignored without friction
 };
 
 namespace column {
-struct position { using type = vector; };
-struct velocity { using type = vector; };
-struct force { using type = vector; };
-struct radius { using type = double; };
-struct inverse_mass { using type = double; };
-struct id { using type = std::int64_t; };
+struct position {
+  using type = vector;
+};
+struct velocity {
+  using type = vector;
+};
+struct force {
+  using type = vector;
+};
+struct radius {
+  using type = double;
+};
+struct inverse_mass {
+  using type = double;
+};
+struct id {
+  using type = std::int64_t;
+};
 // Only where there is friction:
-struct angular_velocity { using type = vector; };
-struct torque { using type = vector; };
-struct inverse_inertia { using type = double; };
+struct angular_velocity {
+  using type = vector;
+};
+struct torque {
+  using type = vector;
+};
+struct inverse_inertia {
+  using type = double;
+};
 // Only where the friction law counts contacts:
-struct contacts { using type = double; };
+struct contacts {
+  using type = double;
+};
 }  // namespace column
 
 namespace detail {
@@ -43,17 +63,18 @@ template <bool Rotates, bool CountsContacts>
 struct grain_columns;
 template <>
 struct grain_columns<false, false> {
-  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass, column::id>;
+  using type =
+      columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass, column::id>;
 };
 template <>
 struct grain_columns<true, false> {
-  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass, column::id,
-                       column::angular_velocity, column::torque, column::inverse_inertia>;
+  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass,
+                       column::id, column::angular_velocity, column::torque, column::inverse_inertia>;
 };
 template <>
 struct grain_columns<true, true> {
-  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass, column::id,
-                       column::angular_velocity, column::torque, column::inverse_inertia, column::contacts>;
+  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass,
+                       column::id, column::angular_velocity, column::torque, column::inverse_inertia, column::contacts>;
 };
 }  // namespace detail
 
@@ -107,7 +128,8 @@ class grains : public detail::grain_columns<Rotates, CountsContacts>::type {
  private:
   static void validate(const grain& g) {
     constexpr auto page = "docs/reference/grains.md";
-    expects(g.radius > 0 && std::isfinite(g.radius), "the radius of a grain (m)", g.radius, "positive and finite", page);
+    expects(g.radius > 0 && std::isfinite(g.radius), "the radius of a grain (m)", g.radius, "positive and finite",
+            page);
     expects(g.density > 0 && std::isfinite(g.density), "the density of a grain (kg/m3)", g.density,
             "positive and finite", page);
     const double motion = dot(g.position, g.position) + dot(g.velocity, g.velocity);

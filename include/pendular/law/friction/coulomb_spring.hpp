@@ -36,8 +36,8 @@ struct coulomb_spring {
 
 inline void validate(const coulomb_spring& law) {
   constexpr auto page = "docs/reference/laws.md";
-  expects(law.tangential_stiffness > 0 && std::isfinite(law.tangential_stiffness),
-          "the tangential stiffness k_t (N/m)", law.tangential_stiffness, "positive and finite", page);
+  expects(law.tangential_stiffness > 0 && std::isfinite(law.tangential_stiffness), "the tangential stiffness k_t (N/m)",
+          law.tangential_stiffness, "positive and finite", page);
   expects(law.friction_coefficient >= 0 && std::isfinite(law.friction_coefficient), "the friction coefficient mu",
           law.friction_coefficient, "at least 0 and finite", page);
 }

@@ -51,8 +51,8 @@ inline void validate(const hertz& law) {
   constexpr auto page = "docs/reference/laws.md";
   expects(law.young_modulus > 0 && std::isfinite(law.young_modulus), "the Young modulus E (Pa)", law.young_modulus,
           "positive and finite", page);
-  expects(law.poisson_ratio > -1 && law.poisson_ratio <= 0.5, "the Poisson ratio nu", law.poisson_ratio,
-          "in (-1, 0.5]", page);
+  expects(law.poisson_ratio > -1 && law.poisson_ratio <= 0.5, "the Poisson ratio nu", law.poisson_ratio, "in (-1, 0.5]",
+          page);
 }
 
 }  // namespace pendular::normal

@@ -8,11 +8,11 @@ namespace pendular {
 
 /// What a redistribution protocol sees of a bond from one of its two grains.
 struct bond_side {
-  double own_radius;          // m
-  double partner_radius;      // m
-  double contact_height;      // of the contact point above the own centre, against gravity, m
-  std::int64_t partner;       // id of the other grain
-  bool forming;               // a new contact of this step that has no liquid yet
+  double own_radius;      // m
+  double partner_radius;  // m
+  double contact_height;  // of the contact point above the own centre, against gravity, m
+  std::int64_t partner;   // id of the other grain
+  bool forming;           // a new contact of this step that has no liquid yet
 };
 
 /// Redistribution among the bonds of one grain, in three moves that do not depend on the order of the bonds:
@@ -31,8 +31,9 @@ concept GlobalProtocol = std::copyable<P> && requires(const P p) {
   { p.period } -> std::convertible_to<std::int64_t>;
 };
 
-
 template <class P>
-concept Protocol = LocalProtocol<P> || GlobalProtocol<P> || requires { typename P::moves_nothing; };
+concept Protocol = LocalProtocol<P> || GlobalProtocol<P> || requires {
+  typename P::moves_nothing;
+};
 
 }  // namespace pendular

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bridges at a suction held fixed, against those at fixed volume.
+#include "../catch.hpp"
+#include "samples.hpp"
+
+using namespace samples;
+
+TEST_CASE("where a bridge is stable at its suction, both ways of asking give the same one") {
+  for (const double ratio : {1.0, 2.0, 30.0, infinite}) {
+    for (const double angle : {0.0, 0.5}) {
+      for (const double volume : {1e-6, 1e-4, 1e-2, 1.0}) {
+        const liquid_bridge b = bridge(ratio, angle, volume);
+        bridges_of_volume bridges(b);
+        for (const double part : {0.0, 1e-3, 1e-2}) {
+          const double gap = part * bridges.rupture_distance();
+          const state s = *bridges.at(gap);
+          const auto same = solve_at_suction(b, gap, s.suction);
+          CAPTURE(ratio, angle, volume, part);
+          REQUIRE(same);
+          CHECK(same->volume == within(1e-7, s.volume));
+          CHECK(same->attraction == within(1e-7, s.attraction));
+          CHECK(same->suction == within(1e-9, s.suction));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("at fixed suction a bridge drinks as it is pulled, and breaks where its volume still grows") {
+  const liquid_bridge b = bridge(1, 0, 1);
+  const double suction = 20 * tension / radius;
+  double last = 0;
+  int found = 0;
+  for (double gap = 0; gap < 0.2 * radius; gap += 0.002 * radius) {
+    const auto s = solve_at_suction(b, gap, suction);
+    if (!s) break;
+    if (gap > 0) CHECK(s->volume != last);
+    last = s->volume;
+    ++found;
+  }
+  CHECK(found > 5);
+  CHECK(found < 100);
+  CHECK(2 * tension / suction > 0.5 * 0.002 * radius * found);  // parallel plates: a meniscus spans at most 2 gamma / s
+}
+
+TEST_CASE("more suction holds less liquid between touching bodies") {
+  for (const double ratio : {1.0, 4.0, infinite}) {
+    double last = 1;
+    for (const double suction : {10.0, 1e2, 1e3, 1e4, 1e5}) {
+      const auto s = solve_at_suction(bridge(ratio, 0.2, 1), 0, suction);
+      if (suction < 100 && !s) continue;
+      REQUIRE(s);
+      CHECK(s->volume < last);
+      last = s->volume;
+    }
+  }
+  CHECK_FALSE(solve_at_suction(bridge(1, 0.2, 1), 0, -1e6));
+}

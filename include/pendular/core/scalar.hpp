@@ -88,7 +88,11 @@ struct pow_fn {
   template <class T, class P>
   auto operator()(const T& x, const P& exponent) const {
     using std::pow;
-    return pow(x, exponent);
+    if constexpr (std::is_arithmetic_v<P> && (std::is_floating_point_v<T> || EigenArray<T>)) {
+      return pow(x, static_cast<element_t<T>>(exponent));
+    } else {
+      return pow(x, exponent);
+    }
   }
 };
 struct cbrt_fn {

@@ -91,6 +91,15 @@ Memory fresh_memory() {
 /// Relative error granted to a scalar: a float loses digits in an exponential of a hundred decay lengths.
 template <class T>
 inline constexpr double granted_error = std::is_same_v<element_t<T>, float> ? 2e-4 : 1e-11;
+/// The same for a law, which may ask for more in float by a static member `float_error`.
+template <class T, class Law>
+constexpr double granted_error_of() {
+  if constexpr (std::is_same_v<element_t<T>, float> && requires { Law::float_error; }) {
+    return Law::float_error;
+  } else {
+    return granted_error<T>;
+  }
+}
 /// Below this a float is zero or denormal.
 template <class T>
 inline constexpr double granted_zero = std::is_same_v<element_t<T>, float> ? tiny : 1e-290;
@@ -98,14 +107,14 @@ inline constexpr double granted_zero = std::is_same_v<element_t<T>, float> ? tin
 /// `evaluate(input<T>) -> T` must give what `evaluate(input<double>)` gives, lane by lane.
 template <class T, class Input, class Evaluate>
 void demand_same_in(report& broken, std::string_view property, const std::vector<Input>& samples,
-                    const Evaluate& evaluate) {
+                    const Evaluate& evaluate, double granted = granted_error<T>) {
   for (std::size_t first = 0; first < samples.size(); first += width<T>) {
     const T result = evaluate(gathered<T>(samples, first));
     for (std::size_t lane = 0; lane < width<T>; ++lane) {
       const std::size_t k = (first + lane) % samples.size();
       const double expected = evaluate(samples[k]);
       const double found = number(result, lane);
-      demand(broken, agree(found, expected, granted_error<T>, granted_zero<T>), property,
+      demand(broken, agree(found, expected, granted, granted_zero<T>), property,
              {{"sample", double(k)}, {"found", found}, {"in double", expected}});
     }
   }

@@ -30,7 +30,7 @@ void describe(CLI::App& app, options& o) {
       ->check(CLI::IsMember({"homogeneous", "neighbours", "grain-films", "gravity", "none"}))
       ->capture_default_str();
   app.add_option("--law", o.law, "capillary law")
-      ->check(CLI::IsMember({"richefeu", "richefeu-harmonic"}))
+      ->check(CLI::IsMember({"richefeu", "richefeu-harmonic", "laplace-young"}))
       ->capture_default_str();
   app.add_option("--friction", o.friction, "friction law; the paper has viscous-coulomb")
       ->check(CLI::IsMember({"coulomb-spring", "viscous-coulomb", "viscous-coulomb-explicit"}))

@@ -118,7 +118,9 @@ json summary(const options& o, const pendular::scene::compression_result& r, con
           {"liquid",
            {{"introduced_m3", f.liquid_volume},
             {"worst_relative_loss", worst_liquid},
-            {"largest_bridge_over_R3", f.largest_bridge}}},
+            {"largest_bridge_over_R3", f.largest_bridge},
+            {"bridges_made_outside_of_capillary_law", f.outside_capillary_law},
+            {"bridges_made_outside_of_rupture_law", f.outside_rupture_law}}},
           {"energy",
            {{"at_start", energy_entries(r.energy_at_start)},
             {"at_end", energy_entries(f.energy_at_end)},
@@ -149,6 +151,9 @@ void print(const options& o, const json& s) {
       s["coordination"]["formations"].get<long long>());
   std::printf("Liquid       %.4e m3, worst relative change of the total %.1e\n", number(s["liquid"]["introduced_m3"]),
               number(s["liquid"]["worst_relative_loss"]));
+  std::printf("Validity     bridges made beyond the range of the law: %lld capillary, %lld rupture\n",
+              s["liquid"]["bridges_made_outside_of_capillary_law"].get<long long>(),
+              s["liquid"]["bridges_made_outside_of_rupture_law"].get<long long>());
   std::printf("Energy       imbalance %.2e J of %.2e J turned over (%.1e)\n", number(s["energy"]["imbalance_J"]),
               number(s["energy"]["turnover_J"]), number(s["energy"]["relative_imbalance"]));
   std::printf("Cost         %.1f s in all on %d threads, %.1f ns per grain and step in the compression\n",

@@ -27,10 +27,11 @@ struct run_facts {
   std::int64_t compression_steps = 0;
   int threads = 1;
   std::int64_t ruptures = 0, formations = 0;
-  double liquid_volume = 0;         // introduced, m3
-  double largest_bridge = 0;        // V_b / R^3 at the end
-  double mean_diameter = 0;         // m
-  std::vector<std::string> limits;  // of stability, as checked
+  std::int64_t outside_capillary_law = 0, outside_rupture_law = 0;  // bridges made beyond the validity of the laws
+  double liquid_volume = 0;                                         // introduced, m3
+  double largest_bridge = 0;                                        // V_b / R^3 at the end
+  double mean_diameter = 0;                                         // m
+  std::vector<std::string> limits;                                  // of stability, as checked
   pendular::observe::energies energy_at_end;
 };
 

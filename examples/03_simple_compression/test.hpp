@@ -4,6 +4,7 @@
 #include "report.hpp"
 #include "run.hpp"
 
+#include <pendular/laplace_young/law.hpp>
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/capillary/richefeu_harmonic.hpp>
 #include <pendular/law/rupture/lian.hpp>
@@ -97,6 +98,8 @@ run_facts facts(const options& o, const Scene& scene, double began, double compr
   f.threads = omp_get_max_threads();
 #endif
   f.ruptures = s.events().ruptures;
+  f.outside_capillary_law = s.bridges().outside().capillary_law;
+  f.outside_rupture_law = s.bridges().outside().rupture_law;
   f.formations = s.events().formations;
   f.liquid_volume = s.bridges().book().introduced();
   f.mean_diameter = scene::mean_diameter(scene::compression_grading());
@@ -142,11 +145,10 @@ void run(const options& o, const Material& m, const Liquid& l, const restart& fr
               boundary::get<1>(scene.sample().walls()).shape.point.z);
 }
 
-template <class Material, class Law>
-void with_law(const options& o, const Material& m, const Law& law, const restart& from, const scene::monitor& watch) {
-  const auto go = [&](const auto& protocol) {
-    run(o, m, liquid{water(o), law, rupture::lian{}, protocol}, from, watch);
-  };
+template <class Material, class Law, class Rupture>
+void with_law(const options& o, const Material& m, const Law& law, const Rupture& rupture, const restart& from,
+              const scene::monitor& watch) {
+  const auto go = [&](const auto& protocol) { run(o, m, liquid{water(o), law, rupture, protocol}, from, watch); };
   if (o.protocol == "homogeneous")
     return go(protocol::homogeneous{std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step))});
   if (o.protocol == "neighbours") return go(protocol::neighbours{});
@@ -159,8 +161,13 @@ void with_law(const options& o, const Material& m, const Law& law, const restart
 template <class Friction>
 void with_friction(const options& o, const Friction& friction, const restart& from, const scene::monitor& watch) {
   const material m{normal::linear{1e3}, damping::viscous{0.8}, friction, energy_book{}};
-  if (o.law == "richefeu-harmonic") return with_law(o, m, capillary::richefeu_harmonic{}, from, watch);
-  with_law(o, m, capillary::richefeu{}, from, watch);
+  if (o.law == "laplace-young") {
+    return with_law(o, m, capillary::laplace_young(water(o)), rupture::laplace_young(water(o)), from, watch);
+  }
+  if (o.law == "richefeu-harmonic") {
+    return with_law(o, m, capillary::richefeu_harmonic{}, rupture::lian{}, from, watch);
+  }
+  with_law(o, m, capillary::richefeu{}, rupture::lian{}, from, watch);
 }
 
 }  // namespace test

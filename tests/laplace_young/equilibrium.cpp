@@ -42,9 +42,9 @@ TEST_CASE("neck and both contact lines carry the same force") {
 
 TEST_CASE("the energy rises by the work of the force at fixed volume") {
   using rule = boost::math::quadrature::gauss<double, 30>;
-  for (const auto& [ratio, angle, volume] : {std::array{1.0, 0.0, 1e-4}, std::array{1.0, 0.9, 1e-2}, std::array{2.0, 0.5, 1e-3},
-                                             std::array{10.0, 0.0, 1e-2}, std::array{infinite, 0.3, 1e-1},
-                                             std::array{1.0, 1.5, 1e-1}}) {
+  for (const auto& [ratio, angle, volume] :
+       {std::array{1.0, 0.0, 1e-4}, std::array{1.0, 0.9, 1e-2}, std::array{2.0, 0.5, 1e-3}, std::array{10.0, 0.0, 1e-2},
+        std::array{infinite, 0.3, 1e-1}, std::array{1.0, 1.5, 1e-1}}) {
     bridges_of_volume bridges(bridge(ratio, angle, volume));
     const double farthest = bridges.rupture_distance(), low = 0.2 * farthest, high = 0.9 * farthest;
     const double work = rule::integrate([&](double gap) { return bridges.at(gap)->attraction; }, low, high);
@@ -59,7 +59,9 @@ TEST_CASE("Derjaguin's force is the limit of little liquid, reached as the fourt
     for (const double angle : {0.0, 0.5, 1.2}) {
       const double harmonic = 2 * radius / (1 + 1 / ratio);
       const double limit = 2 * std::numbers::pi * tension * harmonic * std::cos(angle);
-      const auto missing = [&](double volume) { return 1 - solve(bridge(ratio, angle, volume), 0)->attraction / limit; };
+      const auto missing = [&](double volume) {
+        return 1 - solve(bridge(ratio, angle, volume), 0)->attraction / limit;
+      };
       CAPTURE(ratio, angle);
       CHECK(missing(1e-8) > 0);
       CHECK(missing(1e-8) < 0.03);

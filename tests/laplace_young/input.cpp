@@ -26,7 +26,8 @@ TEST_CASE("a bridge that is none is refused with value, bound and page") {
   for (const double bad : {-0.1, std::numbers::pi / 2, nan}) {
     CHECK_THROWS_AS(rupture_distance(changed([&](liquid_bridge& b) { b.contact_angle = bad; })), input_error);
   }
-  CHECK_THROWS_AS(rupture_distance(changed([&](liquid_bridge& b) { b.radius_i = b.radius_j = infinite; })), input_error);
+  CHECK_THROWS_AS(rupture_distance(changed([&](liquid_bridge& b) { b.radius_i = b.radius_j = infinite; })),
+                  input_error);
   CHECK_THROWS_AS(solve(good, -1e-9), input_error);
   CHECK_THROWS_AS(solve(good, nan), input_error);
   CHECK_THROWS_AS(profile(good, 0, 1), input_error);

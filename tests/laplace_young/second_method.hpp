@@ -44,7 +44,8 @@ inline arrival arrive(const state& s, const liquid_bridge& b, double unit) {
   const auto sagitta = [](double radius, double angle) {
     return std::isinf(radius) ? 0.0 : 2 * radius * std::pow(std::sin(angle / 2), 2);
   };
-  const double height = (s.gap + sagitta(b.radius_i, s.filling_angle_i) + sagitta(b.radius_j, s.filling_angle_j)) / unit;
+  const double height =
+      (s.gap + sagitta(b.radius_i, s.filling_angle_i) + sagitta(b.radius_j, s.filling_angle_j)) / unit;
   const double curvature = s.suction / b.surface_tension * unit;
   const meridian_state first{s.contact_radius_i / unit, 0, start_angle, 0, 0};
   const double end_angle = std::numbers::pi / 2 - b.contact_angle - s.filling_angle_j;
@@ -54,8 +55,8 @@ inline arrival arrive(const state& s, const liquid_bridge& b, double unit) {
   for (int k = 0; k < 40; ++k) {  // Newton for the length
     end = integrate(first, curvature, length);
     const bool by_radius = flat && k > 15;
-    const double step = by_radius ? (s.contact_radius_j / unit - end[0]) / std::sin(end[2])
-                                  : (height - end[1]) / std::cos(end[2]);
+    const double step =
+        by_radius ? (s.contact_radius_j / unit - end[0]) / std::sin(end[2]) : (height - end[1]) / std::cos(end[2]);
     length += step;
     if (std::abs(step) < 1e-15 * length && (by_radius || !flat)) break;
   }

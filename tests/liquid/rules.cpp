@@ -114,3 +114,22 @@ TEST_CASE("a period or a minimum volume without meaning is refused") {
   }
   CHECK_NOTHROW(wet(lian, formation::at_contact{0}, protocol::homogeneous{1}));
 }
+
+TEST_CASE("bridges made beyond what their laws say they are valid for are counted") {
+  using namespace hand_made;
+  packing c;
+  c.radius = {1, 1, 5};
+  c.pairs = {{0, 1}, {1, 2}};
+  c.listed();
+  auto b = bonds_of(wet(rupture::lian{}, protocol::grain_films{}), c, {}, {});
+  const auto pour = [&](std::size_t pair, double volume) {
+    b.book().introduce(volume);
+    b.move(ledger::reservoir(), ledger::bond_of(pair), volume, pair, 0.0, c.view());
+  };
+  pour(0, 1e-3);
+  CHECK((b.outside().capillary_law == 0 && b.outside().rupture_law == 0));
+  pour(0, 0.2);  // beyond 0.1 R^3: rupture::lian
+  CHECK((b.outside().capillary_law == 0 && b.outside().rupture_law == 1));
+  pour(1, 1e-2);  // a size ratio of 5: both
+  CHECK((b.outside().capillary_law == 1 && b.outside().rupture_law == 2));
+}

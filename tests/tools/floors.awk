@@ -6,7 +6,7 @@ BEGIN {
   floors_0_to_3 = floors_0_to_2 " boundary motion observe"
   may_include("core", "core")
   may_include("law", "core law")
-  may_include("laplace_young", "core laplace_young")
+  may_include("laplace_young", "core law laplace_young")
   may_include("liquid", "core law liquid")
   may_include("contact", "core law liquid contact space")
   may_include("space", "core space")

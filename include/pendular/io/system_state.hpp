@@ -101,6 +101,8 @@ void put_liquid(checkpoint_writer& out, const System& s) {
   out.put("liquid.volumes", volumes);
   out.put("liquid.films", films);
   out.put("liquid.books", std::vector<double>{books.reservoir, books.residue, books.introduced, s.bridges().work()});
+  const auto& outside = s.bridges().outside();
+  out.put("liquid.outside", std::vector<std::int64_t>{outside.capillary_law, outside.rupture_law});
   out.put("liquid.reach", s.bridges().reach(view));
   out.put("liquid.selection", std::vector<double>{s.selection().thinning});
   out.put("liquid.seed", s.selection().seed);
@@ -129,6 +131,8 @@ void get_liquid(const checkpoint_reader& in, System& s, const std::vector<std::s
   const auto books = in.get<std::vector<double>>("liquid.books");
   s.bridges().book().restore(ledger::books{books.at(0), books.at(1), books.at(2)});
   s.bridges().restore_work(books.at(3));
+  const auto outside = in.get<std::vector<std::int64_t>>("liquid.outside");
+  s.bridges().restore_outside({outside.at(0), outside.at(1)});
 }
 
 template <class System>

@@ -64,7 +64,8 @@ class branch {
     for (int halvings = 0; halvings < 50; ++halvings) {
       const auto next = above();
       const auto [inside, predicted] = predict(*(next - 1), *next, distance);
-      if (const auto z = newton_.solve(predicted, held_value_, corrector::at(gap, distance)); z && near(*z, predicted)) {
+      if (const auto z = newton_.solve(predicted, held_value_, corrector::at(gap, distance));
+          z && near(*z, predicted)) {
         return z;
       }
       if (!insert(next, inside)) return next->z;  // as near as a double can tell
@@ -123,7 +124,8 @@ class branch {
     };
     std::uintmax_t iterations = 80;
     const auto tight = [](double a, double b) { return std::abs(b - a) < 1e-14; };
-    const auto [low, high] = boost::math::tools::toms748_solve(f, 0.0, step, tight, iterations);
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(f, 0.0, step, from.singularity * sign_, f(step), tight, iterations);
     const auto p = step_from(from, low);
     const bool ahead = p && p->z[gap] > from.z[gap];
     if (p && std::abs(p->singularity) <= 1e-6 * std::abs(from.singularity)) {

@@ -19,8 +19,8 @@ enum class held { volume, suction };
 /// A solution and the direction in which the branch goes on from it.
 struct point {
   vector6 z;
-  vector6 ahead;        // unit tangent
-  double singularity;   // of the problem at fixed gap; changes sign where the bridge loses its stability
+  vector6 ahead;       // unit tangent
+  double singularity;  // of the problem at fixed gap; changes sign where the bridge loses its stability
 };
 
 /// Bridges of one pair by Newton's method, with all six numbers unknown and one condition more than the four equations

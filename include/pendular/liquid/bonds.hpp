@@ -2,12 +2,14 @@
 #pragma once
 
 #include <pendular/core/scalar_table.hpp>
+#include <pendular/law/validity.hpp>
 #include <pendular/liquid/ledger.hpp>
 #include <pendular/liquid/liquid.hpp>
 #include <pendular/liquid/pair_view.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -37,6 +39,14 @@ class bonds {
 
   double breaks_above(std::size_t p) const { return breaks_above_[p]; }
   double forms_below(std::size_t p) const { return forms_below_[p]; }
+
+  /// How often a bridge was made, refilled or drained outside of the validity that its laws state.
+  struct out_of_validity {
+    std::int64_t capillary_law = 0;
+    std::int64_t rupture_law = 0;
+  };
+  const out_of_validity& outside() const { return outside_; }
+  void restore_outside(const out_of_validity& counts) { outside_ = counts; }
 
   /// Energy set free by forming, breaking and refilling bridges since the start, J; 0 for a law without energy.
   double work() const { return work_; }
@@ -106,6 +116,7 @@ class bonds {
     const double before = energy(p, gap, view);
     ledger_.transfer(from, to, volume);
     refresh(p, view);
+    count_outside(p, view);
     work_ += energy(p, gap, view) - before;
   }
 
@@ -147,6 +158,14 @@ class bonds {
   }
 
  private:
+  void count_outside(std::size_t p, const pair_view& view) {
+    if (!is_bonded(p)) return;
+    const bridge<double> b = view.bridge_of(p, 0, ledger_.bonds()[p]);
+    const auto leaves = [&](const validity& v) { return v.covers(b, liquid_.substance()) ? 0 : 1; };
+    outside_.capillary_law += leaves(validity_of<typename Liquid::capillary_law>());
+    outside_.rupture_law += leaves(validity_of<typename Liquid::rupture_law>());
+  }
+
   double formation_gap(std::size_t p, double size, const pair_view& view) const {
     const double available = ledger_.films()[view.grain_i(p)] + ledger_.films()[view.grain_j(p)];
     if (available < liquid_.formation().minimum_volume * size) return never;
@@ -158,6 +177,7 @@ class bonds {
   scalar_table<coefficients> coefficients_;
   std::vector<double> breaks_above_, forms_below_;
   double work_ = 0;
+  out_of_validity outside_;
 };
 
 /// In place of bonds in a dry scene.

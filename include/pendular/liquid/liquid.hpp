@@ -76,6 +76,10 @@ class liquid {
       if constexpr (requires { validate(policy); }) validate(policy);
     };
     std::apply([&](const auto&... policy) { (validate_one(policy), ...); }, policies_);
+    const auto match_one = [&](const auto& policy) {
+      if constexpr (requires { policy.expect_fluid(substance()); }) policy.expect_fluid(substance());
+    };
+    std::apply([&](const auto&... policy) { (match_one(policy), ...); }, policies_);
   }
 
   const fluid& substance() const { return detail::player<detail::plays_fluid>(policies_); }

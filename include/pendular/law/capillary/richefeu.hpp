@@ -3,6 +3,7 @@
 
 #include <pendular/law/capillary/exponential_bridge.hpp>
 #include <pendular/law/inputs.hpp>
+#include <pendular/law/validity.hpp>
 
 namespace pendular::capillary {
 
@@ -14,6 +15,7 @@ namespace pendular::capillary {
 /// high at r = 2 and should not be used beyond r = 4 (docs/reference/laws.md).
 /// Source: Richefeu et al. 2007, Eqs. 4-11.
 struct richefeu {
+  static constexpr validity valid{0, 1e300, 4, std::numbers::pi / 2};
   double decay_constant = 0.9;  // c
 
   template <class T>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/law/inputs.hpp>
+#include <pendular/law/validity.hpp>
 
 namespace pendular::rupture {
 
@@ -11,6 +12,8 @@ namespace pendular::rupture {
 /// degrees, V_b/R^3 in [1e-6, 0.1].
 /// Source: Willett, Adams, Johnson and Seville 2000, Langmuir 16, 9396, Eqs. 19-21, normalised by the harmonic radius.
 struct willett {
+  static constexpr validity valid{1e-6, 0.1, 10, 1.0472};
+
   template <Scalar T>
   T distance(const bridge<T>& b, const fluid& f) const {
     const T size_ratio = min(b.radius_i, b.radius_j) / max(b.radius_i, b.radius_j);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/law/inputs.hpp>
+#include <pendular/law/validity.hpp>
 
 namespace pendular::rupture {
 
@@ -10,6 +11,8 @@ namespace pendular::rupture {
 /// other codes use it.
 /// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville 2000, Langmuir 16, 9396, Eq. 15.
 struct willett_equal {
+  static constexpr validity valid{1e-6, 0.1, 1.0001, 0.5411};
+
   template <Scalar T>
   T distance(const bridge<T>& b, const fluid& f) const {
     const T radius = T(2) / T(T(1) / b.radius_i + T(1) / b.radius_j);

@@ -37,8 +37,8 @@ struct opening {
 };
 constexpr opening openings[] = {
     {1, 1e-4, .0467, .1869, .0651, .0197}, {1, 1e-3, .1008, .3093, .1269, .0413}, {1, 1e-2, .2189, .4440, .2263, .0836},
-    {1, 1e-1, .4557, .5587, .3706, .1821}, {2, 1e-3, .1003, .3488, .1336, .0422}, {2, 1e-2, .2145, .5340, .2514, .0886},
-    {2, 1e-1, .4491, .7080, .4301, .1855},
+    {1, 1e-1, .4880, .5429, .3501, .1578}, {2, 1e-3, .1003, .3488, .1336, .0422}, {2, 1e-2, .2145, .5340, .2514, .0886},
+    {2, 1e-1, .4520, .7056, .4274, .1824},
 };
 
 struct extremes {
@@ -101,7 +101,7 @@ TEST_CASE("over a gap between equal spheres the exponential is first too high an
   CHECK(middle.lowest == near(.01, .15));
   CHECK(middle.highest == near(.01, .46));
   CHECK(end.lowest == near(.01, -.63));
-  CHECK(end.highest == near(.01, .20));
+  CHECK(end.highest == near(.01, .24));
 }
 
 TEST_CASE("over half the rupture distance of unequal spheres the exponential is too short") {
@@ -114,9 +114,9 @@ TEST_CASE("over half the rupture distance of unequal spheres the exponential is 
 }
 
 TEST_CASE("rupture distances of equal spheres against Laplace-Young") {
-  const double reference[] = {.0467, .1008, .2189, .4557};
-  const double lian[] = {-.005, -.008, -.016, .019};
-  const double willett[] = {.000, .002, .005, .066};
+  const double reference[] = {.0467, .1008, .2189, .4880};
+  const double lian[] = {-.005, -.008, -.016, -.049};
+  const double willett[] = {.000, .002, .005, -.005};
   for (int k = 0; k < 4; ++k) {
     CAPTURE(volumes[k]);
     const bridge<double> b{0, volumes[k], 1, 1};
@@ -137,7 +137,7 @@ TEST_CASE("rupture distances of unequal spheres against Laplace-Young") {
     CHECK(lian > -.01);
     CHECK(lian < (row.volume < .1 ? .04 : .11));
   }
-  CHECK(rupture::lian{}.distance(bridge<double>{0, .1, 1, 2}, unit) / .4491 - 1 > .03);
+  CHECK(rupture::lian{}.distance(bridge<double>{0, .1, 1, 2}, unit) / .4520 - 1 > .02);
 }
 
 TEST_CASE("the rupture distance from a plane is that of a very large sphere") {

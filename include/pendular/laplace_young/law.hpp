@@ -34,12 +34,19 @@ class laplace_young {
             "that of the fluid which its laplace_young policies were made with", "docs/reference/laplace_young.md");
   }
 
+  /// In powers of t, times 2 pi gamma R_h cos(theta), N.
+  template <class T>
+  struct polynomial {
+    T c0, c1, c2, c3, c4, c5, c6, c7;
+
+    T at(const T& t) const { return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * (c6 + t * c7)))))); }
+  };
+
   template <class T>
   struct coefficients {
-    T area;            // 2 V_b / (pi R_h), m2
-    T rupture_rate;    // 1 / D_r, 1/m
-    T c0, c1, c2, c3;  // of P, times 2 pi gamma R_h cos(theta), N
-    T c4, c5, c6, c7;
+    T area;          // 2 V_b / (pi R_h), m2
+    T rupture_rate;  // 1 / D_r, 1/m
+    polynomial<T> force;
   };
 
   template <Scalar T>
@@ -48,16 +55,10 @@ class laplace_young {
     const T force = T(capillary_tension(f)) * radius;
     const auto p = at(b);
     const T distance = max(T(p[8] * cbrt(b.volume)), T(tiny));
+    const auto term = [&](std::size_t k) { return T(force * p[k]); };
     return {T(T(2 / std::numbers::pi) * b.volume / radius),
             T(T(1) / distance),
-            T(force * p[0]),
-            T(force * p[1]),
-            T(force * p[2]),
-            T(force * p[3]),
-            T(force * p[4]),
-            T(force * p[5]),
-            T(force * p[6]),
-            T(force * p[7])};
+            {term(0), term(1), term(2), term(3), term(4), term(5), term(6), term(7)}};
   }
 
   template <Scalar T>
@@ -66,8 +67,7 @@ class laplace_young {
     const T s = sqrt(T(max(T(T(1) - d * c.rupture_rate), T(0))));
     const T t = T(2) * s - T(1);
     const T l = sqrt(T(d * d + c.area + T(tiny * tiny)));
-    const T p = c.c0 + t * (c.c1 + t * (c.c2 + t * (c.c3 + t * (c.c4 + t * (c.c5 + t * (c.c6 + t * c.c7))))));
-    return p * (c.area / (l * (l + d)));
+    return c.force.at(t) * (c.area / (l * (l + d)));
   }
 
   template <Scalar T>
@@ -95,7 +95,7 @@ class laplace_young {
       add(-rule::abscissa()[n], rule::weights()[n]);
     }
     const T overlap = max(T(-b.gap), T(0)), own = T(1) / c.rupture_rate;
-    const T last = c.c0 - c.c1 + c.c2 - c.c3 + c.c4 - c.c5 + c.c6 - c.c7;
+    const T last = c.force.at(T(-1));
     const auto left = [&](const T& gap) {  // integral of F_D over P's last value, from the gap on
       const T d = max(T(max(gap, own)), b.gap);
       return T(last * c.area / (sqrt(T(d * d + c.area)) + d));

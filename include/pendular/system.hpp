@@ -125,6 +125,9 @@ class system {
         pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
     if constexpr (wet) {
       all.push_back(capillary_step_limit(integrator_, grains_, view(), bonds_));
+      if constexpr (Liquid::is_viscous) {
+        all.push_back(bridge_viscosity_step_limit(integrator_, grains_, view(), bonds_));
+      }
       all.push_back(bridge_softness_limit(grains_, material_, view(), bonds_));
     }
     return all;

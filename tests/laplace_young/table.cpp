@@ -5,6 +5,7 @@
 
 #include <pendular/laplace_young/law.hpp>
 #include <pendular/law/check.hpp>
+#include <pendular/law/stiffness.hpp>
 #include <pendular/liquid/liquid.hpp>
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/testing/law_kits.hpp>
@@ -124,6 +125,16 @@ TEST_CASE("beyond its ratios and volumes the table law stays near the solver and
     CHECK(law.attraction(bridge<double>{0, v, radius, ratio * radius}, f) == within(0.08, exact->attraction));
   }
   CHECK(law.attraction(bridge<double>{1e-3, 0, radius, radius}, f) == near(1e-12, 0));
+}
+
+TEST_CASE("the slope of the force is a number, for equal spheres and at rupture too") {
+  const fluid f = water(0);
+  const capillary::laplace_young law(f);
+  const auto force = [&](double gap) { return law.attraction(bridge<double>{gap, 1e-12, radius, radius}, f); };
+  const double h = 1e-9, gap = 2e-5;
+  CHECK(slope(law, bridge<double>{gap, 1e-12, radius, radius}, f) ==
+        within(1e-5, (force(gap + h) - force(gap - h)) / (2 * h)));
+  CHECK(std::isfinite(slope(law, bridge<double>{1e-3, 1e-12, radius, radius}, f)));
 }
 
 TEST_CASE("a table for another contact angle than the liquid's is refused") {

@@ -24,13 +24,6 @@ struct pair_findings {
   bool trouble = false;       // an overlap beyond the limit or a value that is not finite
 };
 
-namespace detail {
-template <class Bonds>
-inline constexpr bool forms_on_closing = Bonds::forms_on_closing;
-template <>
-inline constexpr bool forms_on_closing<no_bonds> = false;
-}  // namespace detail
-
 /// What a pair does to its grains, in one cache line: the second phase meets the pairs of a grain in no order.
 template <bool Rotates>
 struct pair_action {
@@ -49,7 +42,8 @@ template <class Material, class Bonds>
 class pair_contacts {
  public:
   static constexpr bool wet = !std::is_same_v<Bonds, no_bonds>;
-  static constexpr bool remembers_gap = detail::forms_on_closing<Bonds>;
+  static constexpr bool turns_across_gaps = Bonds::is_viscous;
+  static constexpr bool remembers_gap = Bonds::forms_on_closing;
   template <class T>
   using memory = typename Material::template memory<T>;
 
@@ -155,8 +149,11 @@ class pair_contacts {
     const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, clock.time_step);
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
-    const contact_force<block> f = touch(material, e, remembered, clock.time_step);
+    contact_force<block> f = touch(material, e, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(p, remembered);
+    if constexpr (Bonds::is_viscous) {
+      if (bonds.any_bonded(p)) add_viscous(bonds, p, e, f);
+    }
     block pull = block::Zero();
     if constexpr (wet) {
       if (bonds.any_bonded(p)) pull = bonds.attraction(p, gap);
@@ -169,6 +166,18 @@ class pair_contacts {
     found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) ||
                      !std::isfinite((gap + force.x + force.y + force.z).sum());
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
+  }
+
+  /// The bridge resists as a dashpot beside the contact, after the Coulomb limit was taken.
+  static void add_viscous(const Bonds& bonds, std::size_t p, const encounter<block>& e, contact_force<block>& f) {
+    static_assert(Material::has_friction || !Bonds::is_viscous,
+                  "a viscous bridge needs grains with friction, which alone can turn (docs/reference/liquid.md)");
+    const auto& a = e.approaching;
+    const bridge_resistance<block> r = bonds.resistance(p, a.gap, a.radius_i, a.radius_j);
+    const block push = r.normal * a.closing_speed;
+    f.push += push;
+    f.damping += push;
+    f.traction -= r.tangential * f.slip_rate;
   }
 
   void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,

@@ -64,7 +64,7 @@ class laplace_young {
   template <Scalar T>
   T attraction(const T& gap, const coefficients<T>& c) const {
     const T d = max(gap, T(0));
-    const T s = sqrt(T(max(T(T(1) - d * c.rupture_rate), T(0))));
+    const T s = sqrt(T(max(T(T(1) - d * c.rupture_rate), T(tiny))));
     const T t = T(2) * s - T(1);
     const T l = sqrt(T(d * d + c.area + T(tiny * tiny)));
     return c.force.at(t) * (c.area / (l * (l + d)));
@@ -119,7 +119,7 @@ class laplace_young {
     const T mean = sqrt(T(small * large));
     const T v = max(T(b.volume / (mean * mean * mean)), T(tiny));
     const T root = cbrt(T(sqrt(T(sqrt(v)))));
-    const T contrast = cbrt(T((large - small) / (large + small)));
+    const T contrast = cbrt(max(T((large - small) / (large + small)), T(tiny)));
     return table_->evaluate(T(min(T(max(root, T(table::root_least()))), T(table::root_largest()))),
                             T(min(contrast, T(table::most_contrast()))));
   }

@@ -27,6 +27,7 @@
 #include <pendular/law/rupture/mikami.hpp>
 #include <pendular/law/rupture/willett.hpp>
 #include <pendular/law/rupture/willett_equal.hpp>
+#include <pendular/law/viscous/lubrication.hpp>
 
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/type.hpp>
@@ -45,5 +46,6 @@ inline constexpr auto capillary_laws =
                          capillary::bagheri, capillary::constant>;
 inline constexpr auto rupture_laws =
     boost::hana::tuple_t<rupture::lian, rupture::willett, rupture::willett_equal, rupture::mikami>;
+inline constexpr auto viscous_bridge_laws = boost::hana::tuple_t<viscous::lubrication>;
 
 }  // namespace pendular::law

@@ -75,6 +75,12 @@ concept RuptureLaw = std::copyable<L> && requires(const L law, const bridge<doub
   { law.distance(b, f) } -> std::convertible_to<double>;
 };
 
+/// Resistance of a liquid bridge to the motion of its grains, a bridge_resistance, N s/m.
+template <class L>
+concept ViscousBridgeLaw = std::copyable<L> && requires(const L law, const bridge<double> b, const fluid f) {
+  { law.resistance(b, f) } -> std::same_as<bridge_resistance<double>>;
+};
+
 /// A capillary law that knows the work from the gap of a bridge to its rupture distance, J.
 template <class L>
 concept HasCapillaryEnergy = CapillaryLaw<L> &&

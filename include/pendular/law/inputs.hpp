@@ -44,6 +44,13 @@ struct bridge {
   T radius_j;  // m
 };
 
+/// What a viscous bridge law answers: resistance to closing and to sliding, N s/m, both at least 0.
+template <Scalar T>
+struct bridge_resistance {
+  T normal;
+  T tangential;
+};
+
 /// The liquid, said once for law, rupture and the conversion of water content to volume.
 struct fluid {
   double surface_tension;  // gamma_s, N/m

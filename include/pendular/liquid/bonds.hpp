@@ -24,6 +24,7 @@ class bonds {
   using coefficients = coefficients_t<typename Liquid::capillary_law, T>;
 
   static constexpr bool forms_on_closing = Liquid::forms_on_closing;
+  static constexpr bool is_viscous = Liquid::is_viscous;
   static constexpr double never = -1e300;  // a gap no pair reaches; finite, because lanes multiply by zero
 
   explicit bonds(const Liquid& liquid) : liquid_(liquid) {}
@@ -64,6 +65,15 @@ class bonds {
     const auto c = coefficients_.load_block(first_pair);
     const block pull = pendular::attraction(liquid_.law(), gap, c, liquid_.substance());
     return pull * alive;
+  }
+
+  /// Resistance of a block of bridges, N s/m, zero for pairs without one and beyond rupture.
+  bridge_resistance<block> resistance(std::size_t first_pair, const block& gap, const block& radius_i,
+                                      const block& radius_j) const requires(Liquid::is_viscous) {
+    const block alive = unit_step(block(load(breaks_above_.data() + first_pair) - gap));
+    const block volume = load(ledger_.bonds().data() + first_pair);
+    const auto r = liquid_.viscous().resistance(bridge<block>{gap, volume, radius_i, radius_j}, liquid_.substance());
+    return {block(r.normal * alive), block(r.tangential * alive)};
   }
 
   bool any_bonded(std::size_t first_pair) const { return (load(breaks_above_.data() + first_pair) > 0).any(); }
@@ -181,6 +191,9 @@ class bonds {
 };
 
 /// In place of bonds in a dry scene.
-struct no_bonds {};
+struct no_bonds {
+  static constexpr bool forms_on_closing = false;
+  static constexpr bool is_viscous = false;
+};
 
 }  // namespace pendular

@@ -26,24 +26,27 @@ namespace detail {
 inline constexpr auto plays_fluid = []<class P>() { return std::is_same_v<P, fluid>; };
 inline constexpr auto plays_capillary = []<class P>() { return CapillaryLaw<P>; };
 inline constexpr auto plays_rupture = []<class P>() { return RuptureLaw<P>; };
+inline constexpr auto plays_viscous = []<class P>() { return ViscousBridgeLaw<P>; };
 inline constexpr auto plays_formation = []<class P>() { return FormationRule<P>; };
 inline constexpr auto plays_protocol = []<class P>() { return Protocol<P>; };
 
 template <class P>
-inline constexpr bool plays_in_liquid = std::is_same_v<P, fluid> || CapillaryLaw<P> || RuptureLaw<P> ||
-                                        FormationRule<P> || Protocol<P> || std::is_same_v<P, none>;
+inline constexpr bool plays_in_liquid =
+    std::is_same_v<P, fluid> || CapillaryLaw<P> || RuptureLaw<P> || ViscousBridgeLaw<P> || FormationRule<P> ||
+    Protocol<P> || std::is_same_v<P, none>;
 
 template <class Given, class Default>
 using given_or = std::conditional_t<std::is_same_v<Given, none>, Default, Given>;
 }  // namespace detail
 
-/// The wet side of a scene: fluid, capillary law and rupture law, and at most one formation rule and one redistribution
-/// protocol, in any order. Without a protocol the liquid of a broken bond stays on its grains; without a rule bridges
+/// The wet side of a scene: fluid, capillary law and rupture law, and at most one viscous bridge law, one formation rule
+/// and one redistribution protocol, in any order. Without a protocol the liquid of a broken bond stays on its grains; without a rule bridges
 /// form within the rupture distance under the homogeneous protocol and at contact otherwise.
 template <class... Policies>
 class liquid {
   static_assert((detail::plays_in_liquid<Policies> && ...),
-                "every policy of a liquid must be a fluid, a capillary or rupture law, a formation rule, a protocol or "
+                "every policy of a liquid must be a fluid, a capillary, rupture or viscous bridge law, a formation "
+                "rule, a protocol or "
                 "none (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_fluid, Policies...>() == 1,
                 "a liquid needs exactly one fluid, such as fluid::water() (docs/reference/liquid.md)");
@@ -51,6 +54,8 @@ class liquid {
                 "a liquid needs exactly one capillary law, such as capillary::richefeu{} (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_rupture, Policies...>() == 1,
                 "a liquid needs exactly one rupture law, such as rupture::lian{} (docs/reference/liquid.md)");
+  static_assert(detail::players<detail::plays_viscous, Policies...>() <= 1,
+                "a liquid takes at most one viscous bridge law (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_formation, Policies...>() <= 1,
                 "a liquid takes at most one formation rule (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_protocol, Policies...>() <= 1,
@@ -59,11 +64,13 @@ class liquid {
  public:
   using capillary_law = detail::player_t<detail::plays_capillary, Policies...>;
   using rupture_law = detail::player_t<detail::plays_rupture, Policies...>;
+  using viscous_law = detail::player_t<detail::plays_viscous, Policies...>;
   using protocol_type = detail::given_or<detail::player_t<detail::plays_protocol, Policies...>, protocol::none>;
   using formation_rule = detail::given_or<
       detail::player_t<detail::plays_formation, Policies...>,
       std::conditional_t<GlobalProtocol<protocol_type>, formation::within_rupture_distance, formation::at_contact>>;
 
+  static constexpr bool is_viscous = ViscousBridgeLaw<viscous_law>;
   static constexpr bool redistributes_locally = LocalProtocol<protocol_type>;
   static constexpr bool forms_on_closing = redistributes_locally && requires {
     requires formation_rule::needs_closing;
@@ -84,6 +91,9 @@ class liquid {
 
   const fluid& substance() const { return detail::player<detail::plays_fluid>(policies_); }
   const capillary_law& law() const { return detail::player<detail::plays_capillary>(policies_); }
+  const viscous_law& viscous() const requires(ViscousBridgeLaw<viscous_law>) {
+    return detail::player<detail::plays_viscous>(policies_);
+  }
   const rupture_law& rupture() const { return detail::player<detail::plays_rupture>(policies_); }
   protocol_type redistribution() const { return given<detail::plays_protocol, protocol_type>(); }
   formation_rule formation() const { return given<detail::plays_formation, formation_rule>(); }

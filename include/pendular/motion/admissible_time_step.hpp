@@ -146,6 +146,29 @@ scene_limit viscosity_step_limit(const Integration& integrator, const Grains& g,
   return worst;
 }
 
+/// Time step against the dashpots of viscous bridges at their thinnest films: a grain feels the sum of its bridges.
+template <class Integration, class Grains, class Liquid>
+scene_limit bridge_viscosity_step_limit(const Integration& integrator, const Grains& g, const pair_view& view,
+                                        const bonds<Liquid>& b) {
+  const auto inverse_mass = g.template get<column::inverse_mass>();
+  std::vector<double> sums(g.size(), 0.0);
+  for (std::size_t p = 0; p < view.pairs; ++p) {
+    if (!b.is_bonded(p)) continue;
+    const bridge<double> closed = view.bridge_of(p, 0, b.book().bonds()[p]);
+    const auto r = b.policies().viscous().resistance(closed, b.policies().substance());
+    for (const std::size_t grain : {view.grain_i(p), view.grain_j(p)}) {
+      sums[grain] +=
+          std::max(r.normal, 3.5 * r.tangential);  // a solid sphere answers a push with 7/2 of its inverse mass
+    }
+  }
+  scene_limit worst{"the time step (s), against the viscosity of the bridges", integrator.time_step, HUGE_VAL};
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const double step = Integration::stable_step(0, 2 * inverse_mass[k] * sums[k]);
+    if (step < worst.bound) worst = {worst.what, worst.value, step, view.id[k]};
+  }
+  return worst;
+}
+
 /// Time step against a tenth of the time in which a bridge's force changes, sqrt(m / slope) at gap 0.
 template <class Integration, class Grains, class Liquid>
 scene_limit capillary_step_limit(const Integration& integrator, const Grains& g, const pair_view& view,
@@ -159,7 +182,7 @@ scene_limit capillary_step_limit(const Integration& integrator, const Grains& g,
     const double steepness = std::abs(
         slope(b.policies().law(), view.bridge_of(p, first_gap, b.book().bonds()[p]), b.policies().substance()));
     const double step = 0.1 / std::sqrt(steepness * (inverse_mass[i] + inverse_mass[j]));
-    if (step < worst.bound) worst = {worst.what, worst.value, step, view.id[i]};
+    if (!(step >= worst.bound)) worst = {worst.what, worst.value, step, view.id[i]};  // a slope that is no number too
   }
   return worst;
 }

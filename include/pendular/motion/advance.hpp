@@ -78,10 +78,9 @@ pair_sum sum_pairs(const pair_list& list, const Contacts& contacts, std::size_t 
     const auto& action = contacts.action(p);
     sum.force += static_cast<double>(incidence.sign) * action.force;
     if constexpr (Grains::rotate) {
-      if (action.gap < 0) {
-        sum.torque += (radius + 0.5 * action.gap) * action.torque;
-        sum.contacts += 1;
-      }
+      const bool touching = action.gap < 0;
+      if (Contacts::turns_across_gaps || touching) sum.torque += (radius + 0.5 * action.gap) * action.torque;
+      if (touching) sum.contacts += 1;
     }
   }
   return sum;

@@ -131,7 +131,7 @@ TEST_CASE("rupture distances of unequal spheres against Laplace-Young") {
     CAPTURE(row.volume);
     const bridge<double> b{0, row.volume, 1, 2};
     const double willett = rupture::willett{}.distance(b, unit) / row.rupture_distance - 1;
-    CHECK(willett > -.021);
+    CHECK(willett > (row.volume < .1 ? -.021 : -.028));
     CHECK(willett < .011);
     const double lian = rupture::lian{}.distance(b, unit) / row.rupture_distance - 1;
     CHECK(lian > -.01);

@@ -36,6 +36,9 @@ TEST_CASE("a bridge that is none is refused with value, bound and page") {
                                        "docs/reference/laplace_young.md)");
 }
 
-TEST_CASE("a volume that cannot join touching bodies is an error and not a number") {
-  CHECK_THROWS_AS(rupture_distance(bridge(1, 0, 1e4)), pendular::run_error);
+TEST_CASE("a volume out of bounds, or that joins no touching bodies, is an error and not a number") {
+  CHECK_THROWS_AS(rupture_distance(bridge(1, 0, 1e4)), pendular::input_error);
+  CHECK_THROWS_AS(rupture_distance(bridge(1, 0, 1e-20)), pendular::input_error);
+  CHECK_THROWS_AS(rupture_distance(bridge(10, 1.56, 9)), pendular::run_error);
+  CHECK_THROWS_AS(profile(bridge(10, 1.56, 9), 0), pendular::run_error);
 }

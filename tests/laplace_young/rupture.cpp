@@ -71,6 +71,15 @@ TEST_CASE("at 60 degrees equal spheres break by the antisymmetric mode, before t
   CHECK(steepness(60) < 10);   // an ordinary point of the symmetric branch
 }
 
+TEST_CASE("radii that differ by round-off are equal") {
+  for (const double angle : {20.0, 40.0, 67.152}) {
+    const double equal = reduced_rupture(1, angle * degree, 7.93e-3);
+    for (const double excess : {3e-15, 1e-12, 1e-10}) {
+      CHECK(reduced_rupture(1 + excess, angle * degree, 7.93e-3) == within(1e-9, equal));
+    }
+  }
+}
+
 TEST_CASE("just below the end there is a state, just above it none") {
   for (const liquid_bridge& b : of_all_kinds(150, 6)) {
     bridges_of_volume bridges(b);

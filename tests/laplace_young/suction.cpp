@@ -43,6 +43,19 @@ TEST_CASE("at fixed suction a bridge drinks as it is pulled, and breaks where it
   CHECK(2 * tension / suction > 0.5 * 0.002 * radius * found);  // parallel plates: a meniscus spans at most 2 gamma / s
 }
 
+TEST_CASE("a liquid above the pressure of the gas is found too, on the side of less liquid") {
+  // k falls to -6.48/R at V = 4.6e-3 R^3 and rises again
+  const double angle = 80 * std::numbers::pi / 180;
+  for (const double volume : {5e-4, 2e-3, 3e-3, 4e-3}) {
+    const liquid_bridge b = bridge(1, angle, volume);
+    const state s = *solve(b, 0);
+    CHECK(s.suction < 0);
+    const auto same = solve_at_suction(b, 0, s.suction);
+    REQUIRE(same);
+    CHECK(same->volume == within(1e-6, s.volume));
+  }
+}
+
 TEST_CASE("more suction holds less liquid between touching bodies") {
   for (const double ratio : {1.0, 4.0, infinite}) {
     double last = 1;

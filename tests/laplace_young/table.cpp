@@ -125,6 +125,13 @@ TEST_CASE("beyond its ratios and volumes the table law stays near the solver and
     CHECK(law.attraction(bridge<double>{0, v, radius, ratio * radius}, f) == within(0.08, exact->attraction));
   }
   CHECK(law.attraction(bridge<double>{1e-3, 0, radius, radius}, f) == near(1e-12, 0));
+  CHECK(std::isfinite(law.attraction(bridge<float>{0, 0, 1e-3f, 1e-3f}, f)));
+  const double plane = law.attraction(bridge<double>{1e-5, 1e-12, radius, samples::infinite}, f);
+  CHECK(plane ==
+        within(0.1, laplace_young::solve({radius, samples::infinite, 0, 1e-12, f.surface_tension}, 1e-5)->attraction));
+  CHECK_THROWS_AS(capillary::laplace_young(water(88)), input_error);
+  CHECK(capillary::laplace_young::valid.covers({0, 0.29 * std::pow(10, 1.5), 1, 10}, f));
+  CHECK_FALSE(capillary::laplace_young::valid.covers({0, 0.9e-6, 1, 1}, f));
 }
 
 TEST_CASE("the slope of the force is a number, for equal spheres and at rupture too") {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <typeinfo>
 
 using namespace pendular;
 
@@ -144,4 +145,25 @@ TEST_CASE("validity is data: which bridges a law was made for") {
   CHECK_FALSE(validity_of<capillary::willett>().covers(equal(1e-3), beading));
   CHECK_FALSE(validity_of<capillary::mikami>().covers({0, 1e-12, 1e-3, 2e-3}, wetting));
   CHECK(validity_of<capillary::richefeu_harmonic>().covers({0, 1e-30, 1e-3, 1}, beading));
+}
+
+TEST_CASE("out of their ranges the laws stay finite, and do not see the size of things") {
+  boost::hana::for_each(law::capillary_laws, []<class L>(L) {
+    const typename L::type l{};
+    for (const double angle : {0.0, 45.0, 60.0, 79.0, 82.0, 89.0}) {
+      const fluid f{0.07, angle * degree, 1000, 0};
+      for (const double v : {0.0, 1e-12, 1e-6, 1e-4, 1e-2, 0.3}) {
+        for (const double gap : {0.0, 5e-3, 0.1}) {
+          const double force = testing::pull(l, bridge<double>{gap, v, 1, 1}, f);
+          const double tiny_one = testing::pull(l, bridge<double>{1e-9 * gap, 1e-27 * v, 1e-9, 1e-9}, f);
+          CAPTURE(typeid(l).name(), angle, v, gap, force);
+          CHECK((std::isfinite(force) && std::abs(force) < 5));
+          if (v > 0) CHECK(tiny_one == near(1e-10 * (1e-9 * std::abs(force)) + 1e-22, 1e-9 * force));
+        }
+      }
+    }
+    if constexpr (HasCapillaryEnergy<typename L::type>) {
+      CHECK(std::isfinite(l.energy(bridge<double>{0, 0, 1, 1}, fluid::water(), 0.1)));
+    }
+  });
 }

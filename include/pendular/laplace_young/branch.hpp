@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/expects.hpp>
 #include <pendular/laplace_young/continuation.hpp>
 
 namespace pendular::laplace_young::detail {
@@ -70,7 +71,8 @@ class branch {
       }
       if (!insert(next, inside)) return next->z;  // as near as a double can tell
     }
-    return std::nullopt;
+    throw run_error("the Laplace-Young solver does not converge at a gap of " + pendular::detail::number(distance) +
+                    " times the smaller radius (see docs/reference/laplace_young.md)");
   }
 
   /// The last stable bridge.

@@ -17,16 +17,17 @@ namespace pendular::capillary {
 /// P a polynomial of degree 7 whose coefficients are prepared per bond. Made as `capillary::laplace_young{water}`, and to
 /// be used with `rupture::laplace_young{water}`; both take the contact angle of their fluid for good.
 /// Units: N from N/m, m, m3. Within 1e-4 of 2 pi gamma R_h at equal s = sqrt(1 - D/D_r) for V_b/R^3 in [1e-6, 0.3],
-/// size ratios to 10, theta to 60 degrees; 5e-4 for ratios below 1.05 between 25 and 35 degrees, where equal spheres
+/// size ratios to 10, theta to 60 degrees; 5e-4 for ratios below 1.06 between 25 and 35 degrees, where equal spheres
 /// begin to break by the antisymmetric mode (docs/reference/laplace_young.md). Beyond these volumes and ratios P is that
 /// of the bound.
 /// Source: the solver of this library, laplace_young/solve.hpp.
 class laplace_young {
  public:
-  static constexpr validity valid{0, 0.3, 10, 1.0472};
+  static constexpr validity valid{1e-6, 0.3, 10, 1.0472, true};
+  static constexpr double largest_contact_angle = 1.3963;  // of a table, rad; accurate to 1.0472
 
-  explicit laplace_young(const fluid& f)
-      : table_((validate(f), ::pendular::laplace_young::table_of(f.contact_angle))) {}
+  /// Errors: input_error for a contact angle above 80 degrees, where not all bridges of the table exist.
+  explicit laplace_young(const fluid& f) : table_(table_for(f)) {}
 
   /// Errors: input_error if the fluid wets under another angle than the table was made for.
   void expect_fluid(const fluid& f) const {
@@ -56,7 +57,7 @@ class laplace_young {
     const auto p = at(b);
     const T distance = max(T(p[8] * cbrt(b.volume)), T(tiny));
     const auto term = [&](std::size_t k) { return T(force * p[k]); };
-    return {T(T(2 / std::numbers::pi) * b.volume / radius),
+    return {max(T(T(2 / std::numbers::pi) * b.volume / radius), T(T(1e-12) * radius * radius)),
             T(T(1) / distance),
             {term(0), term(1), term(2), term(3), term(4), term(5), term(6), term(7)}};
   }
@@ -66,7 +67,7 @@ class laplace_young {
     const T d = max(gap, T(0));
     const T s = sqrt(T(max(T(T(1) - d * c.rupture_rate), T(tiny))));
     const T t = T(2) * s - T(1);
-    const T l = sqrt(T(d * d + c.area + T(tiny * tiny)));
+    const T l = sqrt(T(d * d + c.area));
     return c.force.at(t) * (c.area / (l * (l + d)));
   }
 
@@ -94,14 +95,9 @@ class laplace_young {
       add(rule::abscissa()[n], rule::weights()[n]);
       add(-rule::abscissa()[n], rule::weights()[n]);
     }
-    const T overlap = max(T(-b.gap), T(0)), own = T(1) / c.rupture_rate;
-    const T last = c.force.at(T(-1));
-    const auto left = [&](const T& gap) {  // integral of F_D over P's last value, from the gap on
-      const T d = max(T(max(gap, own)), b.gap);
-      return T(last * c.area / (sqrt(T(d * d + c.area)) + d));
-    };
-    const T beyond = max(T(left(own) - left(rupture_distance)), T(0));
-    return T(T(2) * sum * (from - to) * own + beyond + overlap * attraction(T(0), c));
+    const T overlap = max(T(-b.gap), T(0));
+    return T(T(2) * sum * (from - to) / c.rupture_rate + work_beyond(b.gap, rupture_distance, c) +
+             overlap * attraction(T(0), c));
   }
 
   /// The law's own rupture distance, m.
@@ -113,13 +109,32 @@ class laplace_young {
  private:
   using table = ::pendular::laplace_young::force_table;
 
+  static std::shared_ptr<const table> table_for(const fluid& f) {
+    validate(f);
+    expects(f.contact_angle <= largest_contact_angle, "the contact angle of a laplace_young law (rad)", f.contact_angle,
+            "at most 1.3963", "docs/reference/laplace_young.md");
+    return ::pendular::laplace_young::table_of(f.contact_angle);
+  }
+
+  /// Where the gap is beyond the law's own rupture distance: P stays at its last value.
+  template <Scalar T>
+  static T work_beyond(const T& gap, const T& rupture_distance, const coefficients<T>& c) {
+    const T own = T(1) / c.rupture_rate;
+    const auto left = [&](const T& at) {
+      const T d = max(T(max(at, own)), gap);
+      return T(c.area / (sqrt(T(d * d + c.area)) + d));
+    };
+    return T(c.force.at(T(-1)) * max(T(left(own) - left(rupture_distance)), T(0)));
+  }
+
   template <class T>
   std::array<T, 9> at(const bridge<T>& b) const {
     const T small = min(b.radius_i, b.radius_j), large = max(b.radius_i, b.radius_j);
     const T mean = sqrt(T(small * large));
-    const T v = max(T(b.volume / (mean * mean * mean)), T(tiny));
+    const T v = max(T(b.volume / (mean * mean * mean)), T(1e-12));
     const T root = cbrt(T(sqrt(T(sqrt(v)))));
-    const T contrast = cbrt(max(T((large - small) / (large + small)), T(tiny)));
+    const T part = small / large;
+    const T contrast = cbrt(max(T((T(1) - part) / (T(1) + part)), T(tiny)));
     return table_->evaluate(T(min(T(max(root, T(table::root_least()))), T(table::root_largest()))),
                             T(min(contrast, T(table::most_contrast()))));
   }

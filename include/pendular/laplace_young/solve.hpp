@@ -26,10 +26,12 @@ inline std::optional<vector6> touching_at(const geometry<double>& g, double k) {
     return (*z)[turn] * std::exp(-(*z)[log_length]) - k;
   };
   const double height = 2 * std::cos(g.contact_angle) / std::max(k, 1e-2);
-  double low = std::clamp(std::log(3.2 * height * height / bend), std::log(1e-12), std::log(1e-2)), high = low;
+  double low =
+      k > 0 ? std::clamp(std::log(3.2 * height * height / bend), std::log(1e-12), std::log(1e-2)) : std::log(1e-8);
+  double high = low;
   auto f_low = excess(low), f_high = f_low;
   while (f_low && *f_low < 0 && low > std::log(1e-14)) f_low = excess(low -= 1);
-  while (f_high && *f_high > 0 && high < std::log(10.0)) f_high = excess(high += 0.5);
+  while (f_high && *f_high > 0 && high < std::log(10.0)) f_high = excess(high += 0.25);
   if (!f_low || !f_high || *f_low < 0 || *f_high > 0) return std::nullopt;
   if (low == high) return touching(g, std::exp(low));
   std::uintmax_t iterations = 60;
@@ -53,10 +55,15 @@ class bridges_of_volume {
 
   /// The bridge at this gap, m; nothing beyond the rupture distance.
   std::optional<state> at(double distance) {
-    detail::validate_gap(distance);
-    const auto z = branch_.at(distance / detail::unit_of(bridge_));
+    const auto z = numbers_at(distance);
     if (!z) return std::nullopt;
     return detail::state_of(bridge_, *z);
+  }
+
+  /// The same in the numbers of the solver.
+  std::optional<detail::vector6> numbers_at(double distance) {
+    detail::validate_gap(distance);
+    return branch_.at(distance / detail::unit_of(bridge_));
   }
 
   /// The last stable state at fixed volume, by whatever mode it breaks.
@@ -110,18 +117,16 @@ struct profile_point {
   double radius;  // m
 };
 
-/// Meridian of the stable bridge at a gap from contact line to contact line; empty beyond the rupture distance.
+/// Meridian of the stable bridge at a gap from contact line to contact line; empty beyond the rupture distance. Errors as
+/// those of bridges_of_volume.
 inline std::vector<profile_point> profile(const liquid_bridge& b, double gap, std::size_t points = 101) {
-  validate(b);
   detail::validate_gap(gap);
   expects(points >= 2, "the number of points of a profile", static_cast<double>(points), "at least 2",
           "docs/reference/laplace_young.md");
+  const auto z = bridges_of_volume(b).numbers_at(gap);
+  if (!z) return {};
   const double unit = detail::unit_of(b);
   const detail::geometry<double> g = detail::geometry_of(b);
-  const auto start = detail::touching(g, b.volume / (unit * unit * unit));
-  if (!start) return {};
-  const auto z = detail::branch(g, detail::held::volume, *start).at(gap / unit);
-  if (!z) return {};
   const meridian<double> m = detail::meridian_of(g, detail::numbers_of(*z));
   const double foot = detail::cap_of(std::exp((*z)[detail::log_arc_i]), g.curvature_i).height;
   std::vector<profile_point> line;

@@ -51,7 +51,9 @@ inline void validate(const liquid_bridge& b) {
   expects_positive("the smaller radius of a bridge (m)", detail::unit_of(b), page);
   expects(b.contact_angle >= 0 && b.contact_angle < std::numbers::pi / 2, "the contact angle (rad)", b.contact_angle,
           "in [0, pi/2)", page);
-  expects_positive("the volume of a bridge (m3)", b.volume, page);
+  const double unit = detail::unit_of(b);
+  expects(b.volume >= 1e-14 * unit * unit * unit && b.volume <= 10 * unit * unit * unit, "the volume of a bridge (m3)",
+          b.volume, "1e-14 to 10 times the cube of the smaller radius", page);
   expects_positive("the surface tension (N/m)", b.surface_tension, page);
 }
 
@@ -59,6 +61,8 @@ namespace detail {
 
 inline geometry<double> geometry_of(const liquid_bridge& b) {
   const double unit = unit_of(b);
+  // Nearer than this the turn of the branch next to the symmetric one is too sharp to be followed.
+  if (std::abs(b.radius_i - b.radius_j) < 1e-9 * unit) return {1, 1, b.contact_angle};
   return {unit / b.radius_i, unit / b.radius_j, b.contact_angle};
 }
 

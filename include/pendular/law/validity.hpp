@@ -4,19 +4,22 @@
 #include <pendular/law/inputs.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace pendular {
 
 /// Where a law was fitted or derived, as data: bridges outside of it are counted when they are made.
 struct validity {
-  double least_volume = 0;                              // V_b / R_h^3, R_h the harmonic mean radius
-  double largest_volume = 1e300;                        // V_b / R_h^3
+  double least_volume = 0;                              // V_b / R^3, R the harmonic mean radius
+  double largest_volume = 1e300;                        // V_b / R^3
   double largest_ratio = 1e300;                         // of the radii
   double largest_contact_angle = std::numbers::pi / 2;  // rad
+  bool geometric_mean = false;                          // R is sqrt(R_i R_j) instead
 
   bool covers(const bridge<double>& b, const fluid& f) const {
-    const double radius = 2 / (1 / b.radius_i + 1 / b.radius_j);
+    const double harmonic = 2 / (1 / b.radius_i + 1 / b.radius_j);
+    const double radius = geometric_mean ? std::sqrt(b.radius_i * b.radius_j) : harmonic;
     const double volume = b.volume / (radius * radius * radius);
     const double ratio = std::max(b.radius_i, b.radius_j) / std::min(b.radius_i, b.radius_j);
     return volume >= least_volume && volume <= largest_volume && ratio <= largest_ratio &&

@@ -41,7 +41,7 @@ class bonds {
   double breaks_above(std::size_t p) const { return breaks_above_[p]; }
   double forms_below(std::size_t p) const { return forms_below_[p]; }
 
-  /// How often a bridge was made, refilled or drained outside of the validity that its laws state.
+  /// How often a bridge was made or refilled outside of the validity that its laws state.
   struct out_of_validity {
     std::int64_t capillary_law = 0;
     std::int64_t rupture_law = 0;
@@ -126,7 +126,6 @@ class bonds {
     const double before = energy(p, gap, view);
     ledger_.transfer(from, to, volume);
     refresh(p, view);
-    count_outside(p, view);
     work_ += energy(p, gap, view) - before;
   }
 
@@ -167,15 +166,15 @@ class bonds {
     return std::pow(view.radius[view.grain_i(p)] * view.radius[view.grain_j(p)], 1.5);
   }
 
- private:
-  void count_outside(std::size_t p, const pair_view& view) {
-    if (!is_bonded(p)) return;
+  /// To be called when a bridge has got all of its liquid: counts it if its laws do not claim to be valid for it.
+  void made(std::size_t p, const pair_view& view) {
     const bridge<double> b = view.bridge_of(p, 0, ledger_.bonds()[p]);
     const auto leaves = [&](const validity& v) { return v.covers(b, liquid_.substance()) ? 0 : 1; };
     outside_.capillary_law += leaves(validity_of<typename Liquid::capillary_law>());
     outside_.rupture_law += leaves(validity_of<typename Liquid::rupture_law>());
   }
 
+ private:
   double formation_gap(std::size_t p, double size, const pair_view& view) const {
     const double available = ledger_.films()[view.grain_i(p)] + ledger_.films()[view.grain_j(p)];
     if (available < liquid_.formation().minimum_volume * size) return never;

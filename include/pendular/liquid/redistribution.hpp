@@ -84,6 +84,7 @@ std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_vi
       for (std::size_t m = k; m < end; ++m) {
         b.move(ledger::film_of(pulls[m].grain), ledger::bond_of(p), pulls[m].volume, p, gap[p], view);
       }
+      b.made(p, view);
     }
     k = end;
   }
@@ -212,6 +213,7 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
     for (const std::size_t k : share.eligible) {
       const std::size_t p = all[k].pair;
       b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, gaps[p], view);
+      b.made(p, view);
     }
   } else {
     detail::spread_over_grains(b.book(), view, volume);

@@ -44,7 +44,8 @@ struct lambert {
     const coefficients<T> c = prepare(b, f);
     const T from = min(T(max(b.gap, T(0))), rupture_distance), overlap = max(T(-b.gap), T(0));
     const auto length = [&](const T& d) { return T(sqrt(T(d * d + c.area))); };
-    const T spent = c.area / (length(from) + from) - c.area / (length(rupture_distance) + rupture_distance);
+    const auto left = [&](const T& d) { return T(c.area / max(T(length(d) + d), T(tiny))); };
+    const T spent = left(from) - left(rupture_distance);
     return c.amplitude * (spent + overlap);
   }
 

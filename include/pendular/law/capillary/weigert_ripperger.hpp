@@ -11,7 +11,7 @@ namespace pendular::capillary {
 ///     r1 = (d (1 - cos b) + D) / (2 cos(b + theta)),  r2 = (d/2) sin b + r1 (sin(b + theta) - 1),
 ///     f_c = (pi/4) d^2 sin^2 b gamma (1/r1 - 1/r2) + gamma pi d sin b sin(b + theta).
 /// For equal spheres; here R is the harmonic mean. sin b is kept below 0.99 and b + theta below 85 degrees.
-/// Units: N from N/m, m, m3 and rad. Against Laplace-Young 1 to 7 % low at contact, up to 500 % high over gaps for
+/// Units: N from N/m, m, m3 and rad. Against Laplace-Young 1 to 7 % low at contact, up to 650 % high over gaps for
 /// V_b/R^3 of 1e-4, 40 % at 1e-2.
 /// Source: T. Weigert, S. Ripperger 1999, Part. Part. Syst. Charact. 16, 238.
 struct weigert_ripperger {

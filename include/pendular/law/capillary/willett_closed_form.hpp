@@ -20,7 +20,7 @@ struct willett_closed_form {
   template <Scalar T>
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const T radius = harmonic_radius(b);
-    const T stretch = sqrt(T(radius / max(b.volume, T(tiny))));
+    const T stretch = T(1) / (radius * sqrt(reduced_volume(b.volume, radius, 1e-30)));
     return {T(capillary_tension(f)) * radius, T(0) * radius, T(1.05) * stretch, T(2.5) * stretch * stretch};
   }
 

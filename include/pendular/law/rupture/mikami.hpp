@@ -7,7 +7,7 @@
 namespace pendular::rupture {
 
 /// delta_max = R (0.99 + 0.62 theta) v^0.34, v = V_b/R^3, R the harmonic mean radius.
-/// Units: m from m, m3 and rad. For equal spheres; 1 to 8 % below Laplace-Young at theta = 0, V_b/R^3 in [1e-4, 0.1].
+/// Units: m from m, m3 and rad. For equal spheres; 5 to 8 % below Laplace-Young at theta = 0, V_b/R^3 in [1e-4, 0.1].
 /// Source: T. Mikami, H. Kamiya, M. Horio 1998, Chem. Eng. Sci. 53, 1927.
 struct mikami {
   static constexpr validity valid{1e-4, 0.1, 1.0001, 0.35};

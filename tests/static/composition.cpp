@@ -98,10 +98,10 @@ static_assert(std::is_same_v<any_order::formation_rule, formation::within_ruptur
 
 // What a liquid does not say.
 static_assert(std::is_same_v<water_and_laws::protocol_type, protocol::none>);
-static_assert(!water_and_laws::is_viscous && with<viscous::lubrication>::is_viscous);
 static_assert(std::is_same_v<water_and_laws::formation_rule, formation::at_contact>);
 template <class... More>
 using with = liquid<fluid, capillary::richefeu, rupture::lian, More...>;
+static_assert(!water_and_laws::is_viscous && with<pendular::viscous::lubrication>::is_viscous);
 static_assert(std::is_same_v<with<protocol::homogeneous>::formation_rule, formation::within_rupture_distance>);
 static_assert(
     std::is_same_v<with<protocol::homogeneous, formation::at_contact>::formation_rule, formation::at_contact>);

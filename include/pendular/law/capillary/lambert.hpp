@@ -24,13 +24,14 @@ struct lambert {
   template <Scalar T>
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const T radius = harmonic_radius(b);
-    return {T(capillary_tension(f)) * radius, T(2 / std::numbers::pi) * b.volume / radius};
+    return {T(capillary_tension(f)) * radius,
+            T(T(2 / std::numbers::pi) * radius * radius * reduced_volume(b.volume, radius, 1e-20))};
   }
 
   template <Scalar T>
   T attraction(const T& gap, const coefficients<T>& c) const {
     const T d = max(gap, T(0));
-    return c.amplitude * meniscus(d, T(sqrt(max(T(d * d + c.area), T(tiny)))), c.area);
+    return c.amplitude * meniscus(d, T(sqrt(T(d * d + c.area))), c.area);
   }
 
   template <Scalar T>
@@ -44,7 +45,7 @@ struct lambert {
     const coefficients<T> c = prepare(b, f);
     const T from = min(T(max(b.gap, T(0))), rupture_distance), overlap = max(T(-b.gap), T(0));
     const auto length = [&](const T& d) { return T(sqrt(T(d * d + c.area))); };
-    const auto left = [&](const T& d) { return T(c.area / max(T(length(d) + d), T(tiny))); };
+    const auto left = [&](const T& d) { return T(c.area / (length(d) + d)); };
     const T spent = left(from) - left(rupture_distance);
     return c.amplitude * (spent + overlap);
   }

@@ -26,14 +26,15 @@ struct rabinovich {
   template <Scalar T>
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const T radius = harmonic_radius(b);
-    return {T(2 * std::numbers::pi * f.surface_tension) * radius, T(2 / std::numbers::pi) * b.volume / radius, radius,
+    return {T(2 * std::numbers::pi * f.surface_tension) * radius,
+            T(T(2 / std::numbers::pi) * radius * radius * reduced_volume(b.volume, radius, 1e-20)), radius,
             T(std::cos(f.contact_angle)) + T(0) * radius, T(std::sin(f.contact_angle)) + T(0) * radius};
   }
 
   template <Scalar T>
   T attraction(const T& gap, const coefficients<T>& c) const {
     const T d = max(gap, T(0));
-    const T l = sqrt(max(T(d * d + c.area), T(tiny)));
+    const T l = sqrt(T(d * d + c.area));
     const T alpha = sqrt(T(c.area / ((l + d) * c.radius)));
     const T line = sin(alpha) * (sin(alpha) * c.cosine + cos(alpha) * c.sine);
     return c.amplitude * (c.cosine * c.area / (l * (l + d)) + line);

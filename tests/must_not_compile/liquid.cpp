@@ -4,7 +4,7 @@
 // expect 3: a liquid needs exactly one capillary law, such as capillary::richefeu{}
 // expect 4: a liquid needs exactly one rupture law, such as rupture::lian{}
 // expect 5: a liquid takes at most one formation rule
-// expect 6: every policy of a liquid must be a fluid, a capillary or rupture law, a formation rule, a protocol or none
+// expect 6: every policy of a liquid must be a fluid, a capillary, rupture or viscous bridge law, a formation rule, a protocol or none
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/rupture/lian.hpp>

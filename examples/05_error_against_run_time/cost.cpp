@@ -2,10 +2,10 @@
 #include "cost.hpp"
 
 #include "contenders.hpp"
+#include "median.hpp"
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <vector>
@@ -82,11 +82,6 @@ std::function<double()> preparations(const Law& law, const fluid& f) {
     }
     return sum;
   };
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 struct job {

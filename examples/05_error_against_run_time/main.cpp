@@ -5,7 +5,7 @@
 #include "misfit.hpp"
 #include "page.hpp"
 
-#include <pendular/io/table.hpp>
+#include <pendular/io/atomic_file.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -13,33 +13,41 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace {
 
+void write(const std::filesystem::path& path, const std::string& text) {
+  pendular::io::atomic_file file(path);
+  file.write(text);
+  file.commit();
+}
+
 void write_bridges(const std::filesystem::path& file, const std::vector<misfit::of_bridge>& rows) {
-  std::ofstream out(file);
+  std::ostringstream out;
   out << "law,contact_angle_deg,size_ratio,volume_over_R3,contact,to_0.8_Dr,to_Dr,rms,work_relative,valid\n";
   for (const auto& r : rows) {
     out << r.law << ',' << r.contact_angle << ',' << r.size_ratio << ',' << r.volume << ',' << r.contact << ','
         << r.inner << ',' << r.whole << ',' << r.root_mean << ',' << r.work << ',' << r.valid << '\n';
   }
+  write(file, out.str());
 }
 
 void write_ruptures(const std::filesystem::path& file, const std::vector<misfit::of_rupture>& rows) {
-  std::ofstream out(file);
+  std::ostringstream out;
   out << "law,contact_angle_deg,size_ratio,volume_over_R3,relative_error,valid\n";
   for (const auto& r : rows) {
     out << r.law << ',' << r.contact_angle << ',' << r.size_ratio << ',' << r.volume << ',' << r.distance << ','
         << r.valid << '\n';
   }
+  write(file, out.str());
 }
 
 void write_summary(const std::filesystem::path& file, const std::vector<misfit::summary>& laws,
                    const std::vector<cost::of_law>& times) {
-  std::ofstream out(file);
+  std::ostringstream out;
   out << "law,contact,to_0.8_Dr,to_Dr,to_Dr_median,rms_median,work_median,to_Dr_usual,to_Dr_valid,double_ns,float_ns,"
          "lanes_ns,float_lanes_ns,prepare_ns\n";
   for (std::size_t k = 0; k < laws.size(); ++k) {
@@ -49,6 +57,7 @@ void write_summary(const std::filesystem::path& file, const std::vector<misfit::
         << l.root_mean_median << ',' << l.work_median << ',' << l.usual << ',' << l.where_valid << ',' << t.in_double
         << ',' << t.in_float << ',' << t.in_lanes << ',' << t.in_float_lanes << ',' << t.preparation << '\n';
   }
+  write(file, out.str());
 }
 
 /// Whether the errors on the page are those of the laws as they are now; times are not compared.
@@ -66,12 +75,11 @@ void study(const std::filesystem::path& folder, const std::string& page_file) {
   const auto laws = misfit::summarise(found.bridges);
   const auto ruptures = misfit::summarise(found.ruptures);
   const auto times = cost::measure();
-  std::filesystem::create_directories(folder);
   write_summary(folder / "error_against_run_time.csv", laws, times);
   write_bridges(folder / "bridges.csv", found.bridges);
   write_ruptures(folder / "ruptures.csv", found.ruptures);
   const std::string errors = page::errors(laws, ruptures), cost = page::times(times);
-  std::ofstream(folder / "error_against_run_time.md") << errors << '\n' << cost;
+  write(folder / "error_against_run_time.md", errors + "\n" + cost);
   std::printf("%s\n%s\nResults in %s\n", errors.c_str(), cost.c_str(), folder.string().c_str());
   figures::pareto(laws, times, folder);
   figures::paper(folder);

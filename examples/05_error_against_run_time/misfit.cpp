@@ -2,6 +2,7 @@
 #include "misfit.hpp"
 
 #include "contenders.hpp"
+#include "median.hpp"
 
 #include <pendular/laplace_young/solve.hpp>
 
@@ -74,12 +75,6 @@ of_bridge judge_one(const std::string& name, const Law& law, const reference& r)
   m.root_mean = std::sqrt(squares / static_cast<double>(r.gap.size()));
   m.work = work_of(law, r) / r.work - 1;
   return m;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n == 0 ? std::numeric_limits<double>::quiet_NaN() : 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
 template <class Row>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page.hpp"
 
+#include <pendular/io/atomic_file.hpp>
+
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -80,9 +82,9 @@ void replace(const std::filesystem::path& file, const std::string& name, const s
   std::string all = read(file);
   const auto [begin, end] = place(file, all, name);
   all.replace(begin, end - begin, text);
-  std::ofstream out(file);
-  out << all;
-  if (!out.flush()) throw std::runtime_error("'" + file.string() + "' cannot be written");
+  pendular::io::atomic_file out(file);
+  out.write(all);
+  out.commit();
 }
 
 std::string between(const std::filesystem::path& file, const std::string& name) {

@@ -101,11 +101,13 @@ class pair_contacts {
   /// A pair that was not listed was apart.
   void carry_gap(std::span<const std::int32_t> origin, std::size_t rows) {
     std::vector<double> moved(rows, std::numeric_limits<double>::infinity());
-    for (std::size_t p = 0; p < origin.size(); ++p) {
-      if (origin[p] >= 0) moved[p] = gap_[static_cast<std::size_t>(origin[p])];
+    if constexpr (remembers_gap) {
+      for (std::size_t p = 0; p < origin.size(); ++p) {
+        if (origin[p] >= 0) moved[p] = gap_[static_cast<std::size_t>(origin[p])];
+      }
+      gap_before_.assign(rows, 0.0);
     }
     gap_.swap(moved);
-    if constexpr (remembers_gap) gap_before_.assign(rows, 0.0);
   }
 
   template <class Grains>

@@ -11,6 +11,7 @@ namespace pendular::capillary {
 ///     A = -1.1 v^{-0.53},  B = (-0.34 l - 0.96) theta^2 - 0.019 l + 0.48,  C = 0.0042 l + 0.078.
 /// The logarithm is that to base 10: only then do the coefficients agree with those of Soulie et al. For equal spheres;
 /// here R is the harmonic mean. Units: N from N/m, m, m3 and rad. Does not vanish as D grows: needs a rupture distance.
+/// Here never less than nothing, and v never below 1e-12.
 /// Source: T. Mikami, H. Kamiya, M. Horio 1998, Chem. Eng. Sci. 53, 1927.
 struct mikami {
   static constexpr validity valid{1e-4, 0.1, 1.0001, 0.35};

@@ -11,7 +11,7 @@ namespace pendular::capillary {
 /// the law of `lambert` with the pull of the surface at the contact line, here with its limit at D = 0 (the paper's
 /// alpha = 0 there is a jump). R is the harmonic mean.
 /// Units: N from N/m, m, m3 and rad. Against Laplace-Young 9 to 56 % high at V_b/R^3 = 0.1, to 81 % at theta = 20 degrees.
-/// Source: Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil 2005, Langmuir 21, 10992, Eqs. 18-20.
+/// Source: Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil 2005, Langmuir 21, 10992.
 struct rabinovich {
   static constexpr validity valid{0, 1e-2, 1e300, 0.2};
 

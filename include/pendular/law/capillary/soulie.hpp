@@ -9,7 +9,8 @@ namespace pendular::capillary {
 
 /// f_c = pi gamma sqrt(R_i R_j) (c + exp(a D/R + b)), R the larger radius, v = V_b/R^3,
 ///     a = -1.1 v^{-0.53},  b = (-0.148 ln v - 0.96) theta^2 - 0.0082 ln v + 0.48,  c = 0.0018 ln v + 0.078.
-/// Units: N from N/m, m, m3 and rad. Does not vanish as D grows: needs a rupture distance.
+/// Units: N from N/m, m, m3 and rad. Does not vanish as D grows: needs a rupture distance. Here never
+/// less than nothing, and v never below 1e-12.
 /// Source: F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix 2006, Int. J. Numer. Anal. Methods Geomech. 30, 213,
 /// p. 218.
 struct soulie {

@@ -10,7 +10,7 @@ namespace pendular::capillary {
 /// f_c = 2 pi gamma R cos(theta) / (1 + 1.05 S + 2.5 S^2), S = D sqrt(R/V_b) with the full gap, R the harmonic mean.
 /// Units: N from N/m, m, m3. Against Laplace-Young 4 to 27 % high at contact for V_b/R^3 in [1e-4, 0.1], 5 to 20 % low
 /// beyond a quarter of the rupture distance, at theta = 0.
-/// Source: C. D. Willett et al. 2000, Langmuir 16, 9396, Eq. 12; S. Herminghaus 2005, Adv. Phys. 54, 221, Eq. 10.
+/// Source: C. D. Willett et al. 2000, Langmuir 16, 9396; S. Herminghaus 2005, Adv. Phys. 54, 221.
 struct willett_closed_form {
   static constexpr validity valid{0, 0.1, 1e300, 0.3491};
 

@@ -10,7 +10,7 @@ namespace pendular::rupture {
 /// rho = R_small / R_large, R_h = 2 R_i R_j / (R_i + R_j), v = V_b / R_h^3; equal spheres: R (1 + theta/2)(v^{1/3} + v^{2/3}/10).
 /// Units: m from m, m3 and rad. Within -11 to +7 % of the Laplace-Young limit for size ratios up to 10, theta up to 60
 /// degrees, V_b/R^3 in [1e-6, 0.1].
-/// Source: Willett, Adams, Johnson and Seville 2000, Langmuir 16, 9396, Eqs. 19-21, normalised by the harmonic radius.
+/// Source: Willett, Adams, Johnson and Seville 2000, Langmuir 16, 9396, normalised by the harmonic radius.
 struct willett {
   static constexpr validity valid{1e-6, 0.1, 10, 1.0472};
 

@@ -9,7 +9,7 @@ namespace pendular::rupture {
 /// delta_max = R (1 + theta/2) (v^{1/3} + v^{2/3}/10), v = V_b/R^3, R the harmonic mean radius.
 /// Units: m from m, m3 and rad. For equal spheres, below 31 degrees within 5 % of Laplace-Young; for any size ratio as
 /// other codes use it.
-/// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville 2000, Langmuir 16, 9396, Eq. 15.
+/// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville 2000, Langmuir 16, 9396.
 struct willett_equal {
   static constexpr validity valid{1e-6, 0.1, 1.0001, 0.5411};
 

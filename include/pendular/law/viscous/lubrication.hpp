@@ -13,7 +13,7 @@ namespace pendular::viscous {
 /// The film is never thinner than `least_gap` R*, overlap included.
 /// Units: N s/m from Pa s, m, m3. Valid while gap and filling angle are small, at small Reynolds and capillary numbers.
 /// Source: M. J. Adams, V. Perchard 1985, Inst. Chem. Eng. Symp. Ser. 91, 147; O. Pitois, P. Moucheront, X. Chateau 2000,
-/// J. Colloid Interface Sci. 231, 26, Eq. 8; A. J. Goldman, R. G. Cox, H. Brenner 1967, Chem. Eng. Sci. 22, 637.
+/// J. Colloid Interface Sci. 231, 26; A. J. Goldman, R. G. Cox, H. Brenner 1967, Chem. Eng. Sci. 22, 637.
 struct lubrication {
   double least_gap = 1e-2;  // of the film over R*
 

@@ -104,7 +104,7 @@ run_facts facts(const options& o, const Scene& scene, double began, double compr
   f.liquid_volume = s.bridges().book().introduced();
   f.mean_diameter = scene::mean_diameter(scene::compression_grading());
   for (std::size_t p = 0; p < view.pairs; ++p) {
-    f.largest_bridge = std::max(f.largest_bridge, s.bridges().book().bonds()[p] / s.bridges().bond_size(p, view));
+    f.largest_bridge = std::max(f.largest_bridge, s.bridges().book().bonds()[p] / s.bridges().size_of(p, view));
   }
   for (const scene_limit& l : s.limits()) {
     f.limits.push_back(l.what + " " + pendular::detail::number(l.value) + ", bound " +

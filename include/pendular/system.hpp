@@ -2,7 +2,8 @@
 #pragma once
 
 #include <pendular/boundary/wall.hpp>
-#include <pendular/boundary/wall_contacts.hpp>
+#include <pendular/boundary/wall_contacts_of.hpp>
+#include <pendular/boundary/wet_rows.hpp>
 #include <pendular/contact/pair_contacts.hpp>
 #include <pendular/liquid/redistribution.hpp>
 #include <pendular/motion/admissible_time_step.hpp>
@@ -42,29 +43,6 @@ struct bonds_of {
 template <>
 struct bonds_of<dry> {
   using type = no_bonds;
-};
-
-template <class>
-inline constexpr bool never = false;
-
-template <class Wall, class Material>
-using wall_material =
-    std::conditional_t<std::is_same_v<decltype(Wall::material), none>, Material, decltype(Wall::material)>;
-
-template <class Material, class Walls>
-struct wall_contacts_of {
-  static_assert(never<Walls>, "a system needs its walls between material or liquid and integrator, such as "
-                              "boundary::walls{} (docs/reference/boundary.md)");
-  using type = std::tuple<>;
-};
-template <class Material, class... W>
-struct wall_contacts_of<Material, boundary::walls<W...>> {
-  static_assert(((!wall_material<W, Material>::has_friction || Material::has_friction) && ...),
-                "a wall with friction needs grains with friction, which alone can turn (docs/reference/boundary.md)");
-  static_assert(((!wall_material<W, Material>::counts_contacts || Material::counts_contacts) && ...),
-                "a wall with friction::viscous_coulomb needs grains with it too, because it counts their contacts "
-                "(docs/reference/boundary.md)");
-  using type = std::tuple<boundary::wall_contacts<W, wall_material<W, Material>>...>;
 };
 }  // namespace detail
 
@@ -117,18 +95,17 @@ class system {
   std::vector<scene_limit> limits() const {
     auto rigidities = detail::rigidities(grains_, list_, material_);
     for_each_wall([&](const auto& wall, const auto& contacts) {
-      detail::add_wall(rigidities, grains_, wall, contacts, material_of(wall));
+      detail::add_wall(rigidities, grains_, wall, contacts, material_of(wall), skin_);
     });
     std::vector<scene_limit> all{
         contact_step_limit(integrator_, grains_, rigidities),
         viscosity_step_limit(integrator_, grains_, rigidities, material_), damping_limit(grains_, material_),
         pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
     if constexpr (wet) {
-      all.push_back(capillary_step_limit(integrator_, grains_, view(), bonds_));
-      if constexpr (Liquid::is_viscous) {
-        all.push_back(bridge_viscosity_step_limit(integrator_, grains_, view(), bonds_));
-      }
-      all.push_back(bridge_softness_limit(grains_, material_, view(), bonds_));
+      const pair_view now = view();
+      all.push_back(capillary_step_limit(integrator_, grains_, now, bonds_));
+      if constexpr (Liquid::is_viscous) all.push_back(bridge_viscosity_step_limit(integrator_, grains_, now, bonds_));
+      all.push_back(bridge_softness_limit(material_, now, bonds_));
     }
     return all;
   }
@@ -175,18 +152,22 @@ class system {
   double time() const { return static_cast<double>(steps_) * integrator_.time_step; }
   const bond_events& events() const { return events_; }
   const bond_selection& selection() const { return selection_; }
+  /// Whether bridges lost their pair to a jump and their liquid waits for the next step.
+  bool has_torn_bonds() const { return torn_; }
 
-  /// The listed pairs as the liquid and the observers see them.
+  /// The listed pairs as the observers see them, and as the liquid does the grains near wettable walls.
   pair_view view() const {
     const double g = norm(integrator_.gravity);
     const vector up = g > 0 ? (-1.0 / g) * integrator_.gravity : vector{0, 0, 0};
-    return {list_.first(),
-            list_.second(),
-            list_.size(),
-            grains_.template get<column::position>(),
-            grains_.template get<column::radius>(),
-            grains_.template get<column::id>(),
-            up};
+    pair_view v{list_.first(),
+                list_.second(),
+                list_.size(),
+                grains_.template get<column::position>(),
+                grains_.template get<column::radius>(),
+                grains_.template get<column::id>(),
+                up};
+    if constexpr (wet) boundary::append_wet_rows(*this, v);
+    return v;
   }
 
   /// The wall's own material, or the grains'.
@@ -218,14 +199,19 @@ class system {
     wanted_reach_ = 0;
     contacts_.recall_gap(view());
     contacts_.work().fold();
-    for_each_wall([](auto&, auto& contacts) { contacts.work().fold(); });
+    for_each_wall([&](auto& wall, auto& contacts) {
+      contacts.recall_gap(grains_, wall);
+      contacts.work().fold();
+    });
   }
 
   /// Sets the clock of a run whose grains, walls and bridges a checkpoint has just put back.
-  void resume_at(std::int64_t steps, const bond_selection& selection, const bond_events& events) {
+  /// `torn` is what `has_torn_bonds` said of it.
+  void resume_at(std::int64_t steps, const bond_selection& selection, const bond_events& events, bool torn) {
     steps_ = steps;
     selection_ = selection;
     events_ = events;
+    torn_ = torn;
     domain_ = around(bounding_box(grains_.template get<column::position>()));
     started_ = true;
   }
@@ -298,9 +284,10 @@ class system {
     const auto [small, large] = extreme_radii();
     skin_ = options_.skin * small;
     double range = skin_;
-    if constexpr (wet) range += std::max(bonds_.reach(view()), wanted_reach_);
     if constexpr (wet) {
-      const std::int64_t torn = break_torn_bonds(bonds_, view(), range);
+      const pair_view before = view();
+      range += std::max(bonds_.reach(before), wanted_reach_);
+      const std::int64_t torn = break_torn_bonds(bonds_, before, range);
       events_.ruptures += torn;
       torn_ |= torn > 0;
     }
@@ -312,11 +299,17 @@ class system {
     const auto origin = list_.rebuild(position, grains_.template get<column::radius>(),
                                       grains_.template get<column::id>(), cell_grid(position, edge), range, order);
     contacts_.carry(origin, list_.padded_size());
+    auto bond_origin = origin;
+    bond_origin.resize(list_.padded_size(), -1);
+    for_each_wall([&](const auto& wall, auto& contacts) {
+      constexpr bool carries_bridges = std::remove_cvref_t<decltype(contacts)>::carries_bridges;
+      const auto places = contacts.rebuild(grains_, wall, carries_bridges ? range : skin_, order);
+      if constexpr (carries_bridges) contacts.take_bond_rows(places, bond_origin);
+    });
     if constexpr (wet) {
       bonds_.book().permute_films(order);
-      bonds_.carry(origin, view());
+      bonds_.carry(bond_origin, view());
     }
-    for_each_wall([&](const auto& wall, auto& contacts) { contacts.rebuild(grains_, wall, skin_, order); });
     listed_at_.assign(position.begin(), position.end());
     wall_travel_ = 0;
     stale_ = false;
@@ -324,7 +317,8 @@ class system {
   }
 
   void redistribute() requires(!std::is_same_v<Liquid, dry>) {
-    wanted_reach_ = homogeneous_reach(bonds_, view(), candidates(view(), selection_), bonds_.book().introduced());
+    const pair_view listed = view();
+    wanted_reach_ = homogeneous_reach(bonds_, listed, candidates(listed, selection_), bonds_.book().introduced());
     if (list_.range() < wanted_reach_ + skin_) rebuild();
     wanted_reach_ = 0;
     count(distribute_homogeneously(bonds_, view(), selection_));
@@ -335,21 +329,31 @@ class system {
     events_.formations += e.formations;
   }
 
+  void settle() requires(!std::is_same_v<Liquid, dry>) {
+    const pair_view v = view();
+    const auto pairs_of = [&](std::size_t grain) { return list_.pairs_of(grain); };
+    if (v.wet_walls) {
+      count(settle_bonds(bonds_, v, boundary::gaps_of_all_rows(*this).history(), pairs_of));
+    } else {
+      count(settle_bonds(bonds_, v, contacts_.gaps(), pairs_of));
+    }
+    stale_ |= bonds_.formation_reach(v) + skin_ > list_.range();  // liquid has gathered on a grain
+  }
+
   void evaluate(bool moving) {
     const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
-    const pair_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
+    contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);
     loads_.clear(grains_.size());
     for_each_wall([&](auto& wall, auto& contacts) {
-      if (contacts.evaluate(grains_, wall, material_of(wall), clock)) {
-        report_wall_trouble(grains_, contacts, options_.overlap_limit, steps_);
-      }
+      const contact_findings here = contacts.evaluate(grains_, wall, material_of(wall), bonds_, clock);
+      if (here.trouble) report_wall_trouble(grains_, contacts, options_.overlap_limit, steps_);
+      found |= here;
       wall.take(contacts.force_on_wall(), moving ? clock.time_step : 0);
       loads_.add(contacts);
     });
     if constexpr (wet) {
-      const auto pairs_of = [&](std::size_t grain) { return list_.pairs_of(grain); };
-      if (found.liquid_event || torn_) count(settle_bonds(bonds_, view(), contacts_.gaps(), pairs_of));
+      if (found.liquid_event || torn_) settle();
       torn_ = false;
     }
     correct(grains_, list_, contacts_, loads_, integrator_, moving);
@@ -363,7 +367,7 @@ class system {
   grains_type grains_;
   pair_list list_;
   contacts_type contacts_;
-  typename detail::wall_contacts_of<Material, Boundary>::type wall_contacts_;
+  typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type wall_contacts_;
   wall_loads<grains_type> loads_;
   std::vector<vector> listed_at_;
   box domain_{};

@@ -121,7 +121,7 @@ TEST_CASE("a wall pushes the grains that overlap it, and they push back with the
   boundary::wall_contacts<floor, stiff> contacts;
   contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0, 1, 2, 3});
   REQUIRE(contacts.size() == 3);
-  contacts.evaluate(g, w, m, {1e-3, 0, 0.5});
+  contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
   CHECK((contacts.row(0) == 0 && contacts.row(1) == 1 && contacts.row(2) == 3));
   CHECK(contacts.gap(0) == near(1e-15, -0.1));
   CHECK(contacts.gap(1) == 0.5);
@@ -147,7 +147,7 @@ TEST_CASE("a grain keeps its spring at the wall when the list is made anew in an
   const stiff m{normal::linear{50}, friction::coulomb_spring{1000, 0.5}};
   boundary::wall_contacts<floor, stiff> contacts;
   contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0, 1, 2});
-  contacts.evaluate(g, w, m, {1e-3, 0, 0.5});
+  contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
   const std::vector<std::size_t> order{2, 0, 1};
   g.permute(order);
   contacts.rebuild(g, w, 1.0, order);
@@ -166,7 +166,7 @@ TEST_CASE("a wall that moves counts the slip and the approach relative to itself
   const damped m{normal::linear{50}, damping::viscous{0.5}, friction::coulomb_spring{1000, 0.5}};
   boundary::wall_contacts<belt, damped> contacts;
   contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0});
-  contacts.evaluate(g, w, m, {1e-3, 0, 0.5});
+  contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
   CHECK(contacts.force(0).z == within(1e-12, 5));    // no approach
   CHECK(contacts.force(0).x == within(1e-12, 0.2));  // dragged along
 }

@@ -69,6 +69,19 @@ TEST_CASE("the table is Laplace-Young to 1e-4 in the force and 1e-6 in the ruptu
   }
 }
 
+TEST_CASE("so it is between a grain and a wall", "[slow]") {
+  for (const double angle : {0.0, 12.0, 28.0, 31.0, 45.0, 60.0}) {
+    worst found;
+    for (int k = 0; k <= 60; ++k) {
+      const double v = 1e-6 * std::pow(0.3e6, k / 60.0);
+      compare({0, v * radius * radius * radius, radius, wall_radius(radius)}, water(angle), found);
+    }
+    CAPTURE(angle, found.force, found.rupture);
+    CHECK(found.force < 1e-4);
+    CHECK(found.rupture < 1e-6);
+  }
+}
+
 TEST_CASE("where equal spheres begin to break by the antisymmetric mode it is so to 5e-4 and 2e-5", "[slow]") {
   for (const double angle : {26.0, 28.0, 31.0, 34.0}) {
     worst equal, others;

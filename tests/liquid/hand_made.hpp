@@ -43,6 +43,7 @@ struct packing {
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> first, second;
   std::vector<std::vector<incidence>> of_grain;
+  std::vector<wall_row> floor;  // the grains at the one wall that carries bridges, by id
 
   /// Fills what the list of a scene holds: padding, and pairs of every grain by partner id.
   packing& listed() {
@@ -71,7 +72,15 @@ struct packing {
     return *this;
   }
 
-  pair_view view() const { return {first, second, pairs.size(), position, radius, id, up}; }
+  pair_view view() const {
+    pair_view v{first, second, pairs.size(), position, radius, id, up};
+    if (floor.empty()) return v;
+    v.wet_walls = true;
+    v.at_walls = floor;
+    v.at_walls.resize(padded(floor.size()), {floor.back().grain, -1, floor.back().gap, floor.back().normal});
+    v.wall_begins = {0};
+    return v;
+  }
 
   /// One step that ends with these gaps; all pairs were apart before it if nothing else is said.
   template <class Liquid>

@@ -5,6 +5,8 @@
 
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
+#include <pendular/law/capillary/bagheri.hpp>
+#include <pendular/law/rupture/willett.hpp>
 
 #include <cstdlib>
 #include <cstring>
@@ -41,6 +43,20 @@ auto moving_cell(double side, double top) {
                          wall{plane{{0, 0, top}, {0, 0, -1}}, boundary::servo_stress{50, side * side, 1e-5, 1e-3}}};
 }
 
+/// The same, wet at the floor, the lid and one side.
+auto wet_cell(double side, double top) {
+  using boundary::plane;
+  using boundary::wall;
+  const boundary::wettable wet;
+  return boundary::walls{
+      wall{plane{{0, 0, 0}, {1, 0, 0}}, boundary::fixed{}, none{}, wet},
+      wall{plane{{side, 0, 0}, {-1, 0, 0}}},
+      wall{plane{{0, 0, 0}, {0, 1, 0}}},
+      wall{plane{{0, side, 0}, {0, -1, 0}}},
+      wall{plane{{0, 0, 0}, {0, 0, 1}}, boundary::constant_velocity{{0.05, 0, 0}}, none{}, wet},
+      wall{plane{{0, 0, top}, {0, 0, -1}}, boundary::servo_stress{50, side * side, 1e-5, 1e-3}, none{}, wet}};
+}
+
 /// All that moves, in the order of ids.
 template <class System>
 std::vector<double> fingerprint(const System& s) {
@@ -74,6 +90,15 @@ auto wet_scene(const Material& m, const Protocol& p, double skin, int n = 6, dou
   return s;
 }
 
+template <class Protocol>
+auto wet_walled_scene(const Protocol& p, double skin, int n = 6) {
+  pendular::system s{rubbing, liquid{fluid::water(), capillary::bagheri{}, rupture::willett{}, p},
+                     wet_cell(1.2e-3 * n, 1.22e-3 * n), velocity_verlet{5e-6, gravity_down},
+                     run_options{.skin = skin, .force = true}};
+  for (const grain& g : loose_lattice(n, n, n, 0.5e-3, 0.1, 1.2e-3, 0.2)) s.add(g);
+  return s;
+}
+
 template <class System>
 void wet_and_run(System& s, std::int64_t steps) {
   s.run(1000);
@@ -101,9 +126,8 @@ class threads {
 
 #ifdef _OPENMP
 TEST_CASE("one and two threads give the same bits, energy book included") {
-  const auto run = [](int count, const auto& m, const auto& protocol) {
+  const auto run = [](int count, auto s) {
     const threads some(count);
-    auto s = wet_scene(m, protocol, 0.2, 9);  // 729 grains: more than one chunk of every kind
     s.run(300);
     s.distribute_liquid(added_liquid);
     s.run(300);
@@ -112,16 +136,18 @@ TEST_CASE("one and two threads give the same bits, energy book included") {
     CHECK(s.bridges().count() > 100);
     return f;
   };
-  CHECK(same_bits(run(1, rubbing, protocol::grain_films{}), run(2, rubbing, protocol::grain_films{})));
-  CHECK(same_bits(run(1, creeping, protocol::homogeneous{200}), run(2, creeping, protocol::homogeneous{200})));
+  const auto check = [&](const auto& s) { CHECK(same_bits(run(1, s), run(2, s))); };
+  const int side = 9;  // 729 grains: more than one chunk of every kind
+  check(wet_scene(rubbing, protocol::grain_films{}, 0.2, side));
+  check(wet_scene(creeping, protocol::homogeneous{200}, 0.2, side));
+  check(wet_walled_scene(protocol::neighbours{}, 0.2, side));
 }
 #endif
 
 TEST_CASE("a list made anew at every step and one that lasts give the same bits") {
   const threads one(1);
-  const auto check = [](const auto& m, const auto& protocol) {
-    auto each_step = wet_scene(m, protocol, 0.2, 5), wide = wet_scene(m, protocol, 0.9, 5),
-         usual = wet_scene(m, protocol, 0.2, 5);
+  const auto check = [](const auto& scene_with_skin) {
+    auto each_step = scene_with_skin(0.2), wide = scene_with_skin(0.9), usual = scene_with_skin(0.2);
     wet_and_run(usual, 1500);
     wet_and_run(wide, 1500);
     each_step.run(1000);
@@ -135,10 +161,12 @@ TEST_CASE("a list made anew at every step and one that lasts give the same bits"
     CHECK(same_bits(fingerprint(usual), fingerprint(wide)));
     CHECK(same_bits(fingerprint(usual), fingerprint(each_step)));
   };
-  check(rubbing, protocol::grain_films{});
-  check(creeping, protocol::gravity{});
-  check(rubbing, protocol::neighbours{});
-  check(rubbing, protocol::homogeneous{100});
+  check([](double skin) { return wet_scene(rubbing, protocol::grain_films{}, skin, 5); });
+  check([](double skin) { return wet_scene(creeping, protocol::gravity{}, skin, 5); });
+  check([](double skin) { return wet_scene(rubbing, protocol::neighbours{}, skin, 5); });
+  check([](double skin) { return wet_walled_scene(protocol::grain_films{}, skin, 5); });
+  check([](double skin) { return wet_walled_scene(protocol::gravity{}, skin, 5); });
+  check([](double skin) { return wet_scene(rubbing, protocol::homogeneous{100}, skin, 5); });
 }
 
 TEST_CASE("a skin thinner than a step's way only costs time") {
@@ -245,9 +273,11 @@ void check_restart(const Make& make) {
   first.run(700);
   auto second = make();
   {
-    // A new scene of the same composition, without grains.
-    pendular::system fresh{second.contact_material(), second.bridges().policies(), moving_cell(7.2e-3, 1.0),
-                           second.integrator(), run_options{.force = true}};
+    // A new scene of the same composition, without grains and with its lid elsewhere.
+    auto walls = second.walls();
+    boundary::get<5>(walls).shape.point.z = 1;
+    pendular::system fresh{second.contact_material(), second.bridges().policies(), walls, second.integrator(),
+                           run_options{.force = true}};
     io::load(io::checkpoint_reader(folder / "state"), fresh);
     CHECK(fresh.step_count() == first.step_count() - 700);
     fresh.run(700);
@@ -274,6 +304,9 @@ TEST_CASE("a resumed run goes on with the same bits") {
   }
   SECTION("viscous friction and homogeneous redistribution") {
     check_restart([] { return wet_scene(creeping, protocol::homogeneous{150}, 0.2); });
+  }
+  SECTION("bridges at walls") {
+    check_restart([] { return wet_walled_scene(protocol::grain_films{}, 0.2); });
   }
   SECTION("half-step velocities and gravity") {
     check_restart([] {

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <tuple>
+#include <type_traits>
 
 namespace pendular::boundary {
 
@@ -15,9 +16,16 @@ concept Geometry = std::copyable<G> && requires(const G geometry, const vector c
   { geometry.meet(centre, radius) } -> std::convertible_to<meeting<double>>;
 };
 
-/// A wall: its shape, what moves it, and its contact law where that differs from the grains'. Walls carry no bridges.
-template <class Shape, class Drive = fixed, class Material = none>
+/// Marks a wall that grains share bridges with; the liquid wets it under the same contact angle.
+struct wettable {};
+
+/// A wall: its shape, what moves it, its contact law where that differs from the grains', and `wettable{}` where it
+/// carries bridges.
+template <class Shape, class Drive = fixed, class Material = none, class Wetting = none>
 struct wall {
+  static_assert(std::is_same_v<Wetting, none> || std::is_same_v<Wetting, wettable>,
+                "the last part of a wall is wettable{} or nothing (docs/reference/boundary.md)");
+  static constexpr bool is_wettable = std::is_same_v<Wetting, wettable>;
   static_assert(Geometry<Shape>,
                 "a wall's shape needs `template <Scalar T> meeting<T> meet(const Vec3<T>& centre, const T& radius) "
                 "const` (docs/reference/boundary.md)");
@@ -27,7 +35,7 @@ struct wall {
   vector force{0, 0, 0};  // of the grains on the wall in the last step, N
   double work = 0;        // done by the wall on the grains since the start, J
 
-  explicit wall(Shape s, Drive d = {}, Material m = {}) : shape(s), drive(d), material(m) {
+  explicit wall(Shape s, Drive d = {}, Material m = {}, Wetting = {}) : shape(s), drive(d), material(m) {
     if constexpr (requires { validate(shape); }) validate(shape);
     if constexpr (requires { validate(drive); }) validate(drive);
   }
@@ -47,6 +55,8 @@ template <class Shape, class Drive>
 wall(Shape, Drive) -> wall<Shape, Drive>;
 template <class Shape, class Drive, class Material>
 wall(Shape, Drive, Material) -> wall<Shape, Drive, Material>;
+template <class Shape, class Drive, class Material, class Wetting>
+wall(Shape, Drive, Material, Wetting) -> wall<Shape, Drive, Material, Wetting>;
 
 /// All walls of a scene.
 template <class... Walls>

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <pendular/boundary/wall.hpp>
+#include <pendular/contact/bridge_force.hpp>
 #include <pendular/contact/clock.hpp>
-#include <pendular/contact/force.hpp>
+#include <pendular/contact/findings.hpp>
+#include <pendular/contact/gap_record.hpp>
 #include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
@@ -11,21 +13,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace pendular::boundary {
 
-/// The grains near one wall, evaluated a block at a time like pairs; a wall plays grain j with infinite radius.
-template <class Wall, class Material>
+/// The grains near one wall, evaluated a block at a time like pairs; a wall plays grain j with infinite radius. Where
+/// the wall is wettable, each of them has a row of the bonds, after those of the pairs.
+template <class Wall, class Material, class Bonds = no_bonds, bool KeepsBook = Material::keeps_energy_book>
 class wall_contacts {
  public:
+  static constexpr bool carries_bridges = Wall::is_wettable && !std::is_same_v<Bonds, no_bonds>;
+  static_assert(
+      !carries_bridges || Bonds::knows_planes,
+      "a wettable wall needs capillary, rupture and viscous bridge laws with `planes` in their validity, which "
+      "laws on the geometric mean radius cannot have (docs/reference/boundary.md)");
   template <class T>
   using memory = typename Material::template memory<T>;
 
-  /// Grains within range of the wall, sorted by id. `came_from[row]` is the row a grain had in the list before.
+  /// Grains within range of the wall, sorted by id. `came_from[row]` is the row a grain had in the list before. Answers
+  /// the place that each had in the list before, or -1.
   template <class Grains>
-  void rebuild(const Grains& g, const Wall& w, double range, std::span<const std::size_t> came_from) {
+  std::vector<std::int32_t> rebuild(const Grains& g, const Wall& w, double range,
+                                    std::span<const std::size_t> came_from) {
     const auto position = g.template get<column::position>();
     const auto radius = g.template get<column::radius>();
     const auto id = g.template get<column::id>();
@@ -50,27 +62,58 @@ class wall_contacts {
     memory_.carry(origin, rows_.size());
     force_.resize(rows_.size());
     torque_.resize(rows_.size());
-    gap_.assign(rows_.size(), std::numeric_limits<double>::infinity());
+    gaps_.carry(origin, rows_.size());
     work_.carry(origin, rows_.size());
+    findings_.assign(chunk_count(rows_.size(), work_sums::chunk), {});
+    return origin;
   }
 
-  /// True if a grain overlaps the wall beyond the limit or got a force that is not finite.
+  /// Takes the next rows of the bonds, whose origin so far is `bond_origin`; `origin` is what `rebuild` answered.
+  void take_bond_rows(std::span<const std::int32_t> origin, std::vector<std::int32_t>& bond_origin) {
+    const auto old_first = static_cast<std::int32_t>(first_bond_);
+    first_bond_ = bond_origin.size();
+    for (const std::int32_t k : origin) bond_origin.push_back(k < 0 ? -1 : old_first + k);
+    bond_origin.resize(first_bond_ + rows_.size(), -1);
+  }
+
   template <class Grains>
-  bool evaluate(const Grains& g, const Wall& w, const Material& material, const contact_clock& clock) {
-    std::vector<char> trouble(chunk_count(rows_.size(), work_sums::chunk), 0);
+  contact_findings evaluate(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
+                            const contact_clock& clock) {
+    gaps_.turn();
     for_chunks(rows_.size(), work_sums::chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
-      bool any = false;
-      for (std::size_t k = begin; k < end; k += lane_count) any |= evaluate_block(g, w, material, clock, k);
-      trouble[c] = any ? 1 : 0;
+      contact_findings found;
+      for (std::size_t k = begin; k < end; k += lane_count) evaluate_block(g, w, material, bonds, clock, k, found);
+      findings_[c] = found;
     });
-    return std::find(trouble.begin(), trouble.end(), 1) != trouble.end();
+    contact_findings all;
+    for (const contact_findings& f : findings_) all |= f;
+    return all;
+  }
+
+  /// Where the grains are to the wall now, as rows of a pair_view; `place` is that of the wall in the scene.
+  template <class Grains>
+  void append_rows(const Grains& g, const Wall& w, std::int32_t place, pair_view& view) const {
+    view.wet_walls = true;
+    view.wall_begins.push_back(view.at_walls.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const meeting<double> m = meet_one(g, w, k);
+      view.at_walls.push_back({rows_[k], k < count_ ? place : -1, m.gap, m.normal});
+    }
   }
 
   std::size_t size() const { return count_; }
   std::size_t row(std::size_t k) const { return static_cast<std::size_t>(rows_[k]); }
   const vector& force(std::size_t k) const { return force_[k]; }    // on the grain, N
   const vector& torque(std::size_t k) const { return torque_[k]; }  // on the grain, N m
-  double gap(std::size_t k) const { return gap_[k]; }
+  double gap(std::size_t k) const { return gaps_.now()[k]; }
+  gap_history gaps() const { return gaps_.history(); }
+  /// Of grain k, among the bonds.
+  std::size_t bond_row(std::size_t k) const { return first_bond_ + k; }
+
+  template <class Grains>
+  void recall_gap(const Grains& g, const Wall& w) {
+    for (std::size_t k = 0; k < rows_.size(); ++k) gaps_.recall(k, meet_one(g, w, k).gap);
+  }
 
   vector force_on_wall() const {
     vector sum{0, 0, 0};
@@ -80,10 +123,15 @@ class wall_contacts {
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
-  work_sums_of<Material>& work() { return work_; }
-  const work_sums_of<Material>& work() const { return work_; }
+  work_sums_if<KeepsBook>& work() { return work_; }
+  const work_sums_if<KeepsBook>& work() const { return work_; }
 
  private:
+  template <class Grains>
+  meeting<double> meet_one(const Grains& g, const Wall& w, std::size_t k) const {
+    return w.shape.meet(g.template get<column::position>()[row(k)], g.template get<column::radius>()[row(k)]);
+  }
+
   template <class Grains>
   encounter<block> meet(const Grains& g, const Wall& w, const std::int32_t* rows, const vector& wall_velocity,
                         double time_step) const {
@@ -96,7 +144,7 @@ class wall_contacts {
     e.normal = m.normal;
     e.velocity = velocity - Vec3<block>{block(wall_velocity.x), block(wall_velocity.y), block(wall_velocity.z)};
     e.approaching = {m.gap, dot(e.velocity, e.normal), mass, radius, block(std::numeric_limits<double>::infinity())};
-    if constexpr (Material::has_friction) {
+    if constexpr (Grains::rotate && (Material::has_friction || (carries_bridges && Bonds::is_viscous))) {
       const Vec3<block> spin = gather(g.template get<column::angular_velocity>().data(), rows);
       e.rolling = cross(block(radius + m.gap) * spin, e.normal);
       e.twist = (0.5 * time_step) * dot(spin, e.normal);
@@ -110,32 +158,39 @@ class wall_contacts {
   }
 
   template <class Grains>
-  [[nodiscard]] bool evaluate_block(const Grains& g, const Wall& w, const Material& material,
-                                    const contact_clock& clock, std::size_t k) {
+  void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
+                      const contact_clock& clock, std::size_t k, contact_findings& found) {
     const encounter<block> e = meet(g, w, rows_.data() + k, w.drive.velocity, clock.time_step);
+    const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(k);
-    const contact_force<block> f = touch(material, e, remembered, clock.time_step);
+    contact_force<block> f = touch(material, e, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(k, remembered);
-    const Vec3<block> force = f.traction - f.push * e.normal;
+    block pull = block::Zero();
+    if constexpr (carries_bridges) {
+      pull = add_bridges(bonds, bond_row(k), e, f);
+      found.liquid_event |= bonds.has_event(bond_row(k), gap, gaps_.before(k, gap));
+    }
+    const Vec3<block> force = f.traction - block(f.push - pull) * e.normal;
     const Vec3<block> torque = block(e.approaching.radius_i + e.approaching.gap) * cross(e.normal, f.traction);
     for (int lane = 0; lane < lane_count; ++lane) {
       const std::size_t row = k + static_cast<std::size_t>(lane);
       force_[row] = {force.x(lane), force.y(lane), force.z(lane)};
       torque_[row] = {torque.x(lane), torque.y(lane), torque.z(lane)};
-      gap_[row] = e.approaching.gap(lane);
     }
-    if constexpr (Material::keeps_energy_book) work_.add(k, count_, e, f, clock);
-    const block& gap = e.approaching.gap;
-    return !((gap + clock.overlap_limit * e.approaching.radius_i).minCoeff() > 0) ||
-           !std::isfinite((gap + force.x + force.y + force.z).sum());
+    gaps_.put(k, gap);
+    if constexpr (KeepsBook) work_.add(k, count_, e, f, clock);
+    found.trouble |= !((gap + clock.overlap_limit * e.approaching.radius_i).minCoeff() > 0) ||
+                     !std::isfinite((gap + force.x + force.y + force.z).sum());
   }
 
   std::size_t count_ = 0;
   std::vector<std::int32_t> rows_;
   scalar_table<memory> memory_;
   std::vector<vector> force_, torque_;
-  std::vector<double> gap_;
-  work_sums_of<Material> work_;
+  gap_record<carries_bridges && Bonds::forms_on_closing> gaps_;
+  work_sums_if<KeepsBook> work_;
+  std::vector<contact_findings> findings_;
+  std::size_t first_bond_ = 0;
 };
 
 }  // namespace pendular::boundary

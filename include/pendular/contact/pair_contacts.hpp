@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/contact/bridge_force.hpp>
 #include <pendular/contact/clock.hpp>
+#include <pendular/contact/findings.hpp>
 #include <pendular/contact/force.hpp>
+#include <pendular/contact/gap_record.hpp>
 #include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
@@ -12,17 +15,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
 namespace pendular {
-
-/// What the evaluation of all pairs found besides forces.
-struct pair_findings {
-  bool liquid_event = false;  // a bridge breaks or may form
-  bool trouble = false;       // an overlap beyond the limit or a value that is not finite
-};
 
 /// What a pair does to its grains, in one cache line: the second phase meets the pairs of a grain in no order.
 template <bool Rotates>
@@ -40,49 +36,46 @@ struct alignas(64) pair_action<true> {
 /// First phase of a step: composed laws over all listed pairs, a block at a time, results stored per pair.
 template <class Material, class Bonds>
 class pair_contacts {
+  static_assert(Material::has_friction || !Bonds::is_viscous,
+                "a viscous bridge needs grains with friction, which alone can turn (docs/reference/liquid.md)");
+
  public:
   static constexpr bool wet = !std::is_same_v<Bonds, no_bonds>;
   static constexpr bool turns_across_gaps = Bonds::is_viscous;
-  static constexpr bool remembers_gap = Bonds::forms_on_closing;
   template <class T>
   using memory = typename Material::template memory<T>;
 
   void carry(std::span<const std::int32_t> origin, std::size_t rows) {
     memory_.carry(origin, rows);
     actions_.assign(rows, {});
-    carry_gap(origin, rows);
+    gaps_.carry(origin, rows);
     work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
   }
 
   template <class Grains>
-  pair_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
-                         const contact_clock& clock) {
-    if constexpr (remembers_gap) gap_.swap(gap_before_);
+  contact_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
+                            const contact_clock& clock) {
+    gaps_.turn();
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
-      pair_findings found;
+      contact_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
         evaluate_block(g, list, material, bonds, clock, p, found);
       }
       findings_[c] = found;
     });
-    pair_findings all;
-    for (const pair_findings& f : findings_) {
-      all.liquid_event |= f.liquid_event;
-      all.trouble |= f.trouble;
-    }
+    contact_findings all;
+    for (const contact_findings& f : findings_) all |= f;
     return all;
   }
 
   /// Gaps of the last evaluation, m.
-  std::span<const double> gap() const { return gap_; }
+  std::span<const double> gap() const { return gaps_.now(); }
   /// The same with those of the evaluation before, which only bridges that form on closing ask for.
-  gap_history gaps() const { return {gap_, remembers_gap ? gap_before_ : gap_}; }
+  gap_history gaps() const { return gaps_.history(); }
 
-  /// Takes the gaps of the last evaluation from the positions of the grains, so that a run that is resumed and one that
-  /// goes on agree on which contacts are closed.
   void recall_gap(const pair_view& view) {
-    for (std::size_t p = 0; p < view.pairs; ++p) gap_[p] = view.gap(p);
+    for (std::size_t p = 0; p < view.pairs; ++p) gaps_.recall(p, view.gap(p));
   }
 
   const pair_action<Material::has_friction>& action(std::size_t p) const { return actions_[p]; }
@@ -92,23 +85,11 @@ class pair_contacts {
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
-  work_sums_of<Material>& work() { return work_; }
-  const work_sums_of<Material>& work() const { return work_; }
+  work_sums_if<Material::keeps_energy_book>& work() { return work_; }
+  const work_sums_if<Material::keeps_energy_book>& work() const { return work_; }
 
  private:
   static constexpr std::size_t chunk = work_sums::chunk;
-
-  /// A pair that was not listed was apart.
-  void carry_gap(std::span<const std::int32_t> origin, std::size_t rows) {
-    std::vector<double> moved(rows, std::numeric_limits<double>::infinity());
-    if constexpr (remembers_gap) {
-      for (std::size_t p = 0; p < origin.size(); ++p) {
-        if (origin[p] >= 0) moved[p] = gap_[static_cast<std::size_t>(origin[p])];
-      }
-      gap_before_.assign(rows, 0.0);
-    }
-    gap_.swap(moved);
-  }
 
   template <class Grains>
   static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, double time_step) {
@@ -147,19 +128,16 @@ class pair_contacts {
   template <class Grains>
   PENDULAR_FLATTEN void evaluate_block(const Grains& g, const pair_list& list, const Material& material,
                                        const Bonds& bonds, const contact_clock& clock, std::size_t p,
-                                       pair_findings& found) {
+                                       contact_findings& found) {
     const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, clock.time_step);
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
     contact_force<block> f = touch(material, e, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(p, remembered);
-    if constexpr (Bonds::is_viscous) {
-      if (bonds.any_bonded(p)) add_viscous(bonds, p, e, f);
-    }
     block pull = block::Zero();
     if constexpr (wet) {
-      if (bonds.any_bonded(p)) pull = bonds.attraction(p, gap);
-      found.liquid_event |= bonds.has_event(p, gap, remembers_gap ? load(gap_before_.data() + p) : gap);
+      pull = add_bridges(bonds, p, e, f);
+      found.liquid_event |= bonds.has_event(p, gap, gaps_.before(p, gap));
     }
     const block push = f.push - pull;
     const Vec3<block> force = f.traction - push * e.normal;
@@ -170,21 +148,9 @@ class pair_contacts {
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 
-  /// The bridge resists as a dashpot beside the contact, after the Coulomb limit was taken.
-  static void add_viscous(const Bonds& bonds, std::size_t p, const encounter<block>& e, contact_force<block>& f) {
-    static_assert(Material::has_friction || !Bonds::is_viscous,
-                  "a viscous bridge needs grains with friction, which alone can turn (docs/reference/liquid.md)");
-    const auto& a = e.approaching;
-    const bridge_resistance<block> r = bonds.resistance(p, a.gap, a.radius_i, a.radius_j);
-    const block push = r.normal * a.closing_speed;
-    f.push += push;
-    f.damping += push;
-    f.traction -= r.tangential * f.slip_rate;
-  }
-
   void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,
                      const Vec3<block>& traction) {
-    store(gap_.data() + p, gap);
+    gaps_.put(p, gap);
     for (int k = 0; k < lane_count; ++k) {
       auto& action = actions_[p + static_cast<std::size_t>(k)];
       action.force = {force.x(k), force.y(k), force.z(k)};
@@ -200,9 +166,9 @@ class pair_contacts {
 
   scalar_table<memory> memory_;
   std::vector<pair_action<Material::has_friction>> actions_;
-  std::vector<double> gap_, gap_before_;
-  work_sums_of<Material> work_;
-  std::vector<pair_findings> findings_;
+  gap_record<Bonds::forms_on_closing> gaps_;
+  work_sums_if<Material::keeps_energy_book> work_;
+  std::vector<contact_findings> findings_;
 };
 
 }  // namespace pendular

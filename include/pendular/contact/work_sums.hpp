@@ -92,7 +92,7 @@ class no_work_sums {
   void restore(const contact_work&) {}
 };
 
-template <class Material>
-using work_sums_of = std::conditional_t<Material::keeps_energy_book, work_sums, no_work_sums>;
+template <bool KeepsBook>
+using work_sums_if = std::conditional_t<KeepsBook, work_sums, no_work_sums>;
 
 }  // namespace pendular

@@ -5,6 +5,7 @@
 #include <pendular/core/vec.hpp>
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/liquid/ledger.hpp>
+#include <pendular/liquid/pair_view.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>
@@ -90,11 +91,12 @@ void put_liquid(checkpoint_writer& out, const System& s) {
   const auto view = s.view();
   std::vector<std::int64_t> keys;
   std::vector<double> volumes, films;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    if (!s.bridges().is_bonded(p)) continue;
-    keys.insert(keys.end(), {view.id[view.grain_i(p)], view.id[view.grain_j(p)]});
+  view.for_each_row([&](std::size_t p) {
+    if (!s.bridges().is_bonded(p)) return;
+    const auto [i, j] = view.ids(p);
+    keys.insert(keys.end(), {i, j});
     volumes.push_back(book.bonds()[p]);
-  }
+  });
   for (const std::size_t row : s.particles().rows_by_id()) films.push_back(book.films()[row]);
   const auto books = book.keep();
   out.put("liquid.keys", keys);
@@ -106,12 +108,13 @@ void put_liquid(checkpoint_writer& out, const System& s) {
   out.put("liquid.reach", s.bridges().reach(view));
   out.put("liquid.selection", std::vector<double>{s.selection().thinning});
   out.put("liquid.seed", s.selection().seed);
+  out.put("liquid.torn", std::uint64_t{s.has_torn_bonds()});
   out.put("liquid.events", std::vector<std::int64_t>{s.events().ruptures, s.events().formations});
 }
 
 template <class System>
-std::size_t pair_of(const System& s, const std::vector<std::size_t>& rows, const std::int64_t* key) {
-  const auto view = s.view();
+std::size_t pair_of(const System& s, const pair_view& view, const std::vector<std::size_t>& rows,
+                    const std::int64_t* key) {
   for (const auto& incidence : s.pairs().pairs_of(rows.at(static_cast<std::size_t>(key[0])))) {
     const auto p = static_cast<std::size_t>(incidence.pair);
     if (incidence.sign > 0 && view.id[view.grain_j(p)] == key[1]) return p;
@@ -120,13 +123,27 @@ std::size_t pair_of(const System& s, const std::vector<std::size_t>& rows, const
                            std::to_string(key[1]) + " that are not neighbours: it was written by another scene");
 }
 
+/// Row of the bonds with this key, whose second number is negative for a wall.
+template <class System>
+std::size_t bond_row_of(const System& s, const pair_view& view, const std::vector<std::size_t>& rows,
+                        const std::int64_t* key) {
+  if (key[1] >= 0) return pair_of(s, view, rows, key);
+  std::size_t found = view.rows();
+  view.for_each_wall_row_of(rows.at(static_cast<std::size_t>(key[0])), [&](std::size_t p) {
+    if (view.ids(p).second == key[1]) found = p;
+  });
+  if (found < view.rows()) return found;
+  throw std::runtime_error("the checkpoint has a bridge of grain " + std::to_string(key[0]) + " to wall " +
+                           std::to_string(-1 - key[1]) + ", which it is not near: it was written by another scene");
+}
+
 template <class System>
 void get_liquid(const checkpoint_reader& in, System& s, const std::vector<std::size_t>& rows) {
   const auto keys = in.get<std::vector<std::int64_t>>("liquid.keys");
   const auto volumes = in.get<std::vector<double>>("liquid.volumes");
   const auto view = s.view();
   for (std::size_t n = 0; n < volumes.size(); ++n) {
-    s.bridges().restore(pair_of(s, rows, keys.data() + 2 * n), volumes[n], view);
+    s.bridges().restore(bond_row_of(s, view, rows, keys.data() + 2 * n), volumes[n], view);
   }
   const auto books = in.get<std::vector<double>>("liquid.books");
   s.bridges().book().restore(ledger::books{books.at(0), books.at(1), books.at(2)});
@@ -193,10 +210,11 @@ void list_again(const checkpoint_reader& in, System& s) {
     for (std::size_t k = 0; k < films.size(); ++k) book.restore(ledger::film_of(k), films[k]);
     const auto events = in.get<std::vector<std::int64_t>>("liquid.events");
     const double thinning = in.get<std::vector<double>>("liquid.selection").at(0);
-    s.resume_at(steps, {thinning, in.get<std::uint64_t>("liquid.seed")}, {events.at(0), events.at(1)});
+    s.resume_at(steps, {thinning, in.get<std::uint64_t>("liquid.seed")}, {events.at(0), events.at(1)},
+                in.get<std::uint64_t>("liquid.torn") != 0);
     s.canonicalise(in.get<double>("liquid.reach"));
   } else {
-    s.resume_at(steps, {}, {});
+    s.resume_at(steps, {}, {}, false);
     s.canonicalise();
   }
 }
@@ -257,7 +275,8 @@ void load(const checkpoint_reader& in, System& s) {
   detail::list_again(in, s);
   const auto rows = s.particles().rows_by_id();
   if constexpr (System::wet) detail::get_liquid(in, s, rows);
-  const auto pair_row = [&](const std::int64_t* key) { return detail::pair_of(s, rows, key); };
+  const auto view = s.view();
+  const auto pair_row = [&](const std::int64_t* key) { return detail::pair_of(s, view, rows, key); };
   detail::get_memories(in, "pair.memory", s.contacts().memories(), 2, pair_row);
   if constexpr (System::material_type::keeps_energy_book) {
     detail::get_memories(in, "pair.last_force", s.contacts().work().last_forces(), 2, pair_row);

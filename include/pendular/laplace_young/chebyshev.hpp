@@ -21,6 +21,14 @@ void chebyshev_basis(const T& x, std::array<T, Count>& out) {
   for (std::size_t k = 2; k < Count; ++k) out[k] = T(T(2) * x * out[k - 1] - out[k - 2]);
 }
 
+/// sum_k weights[k] basis[k]
+template <class Weight, class T, std::size_t Count>
+T weighted_sum(const Weight* weights, const std::array<T, Count>& basis) {
+  T sum(T(weights[0]) * basis[0]);
+  for (std::size_t k = 1; k < Count; ++k) sum = T(sum + T(weights[k]) * basis[k]);
+  return sum;
+}
+
 /// Coefficients of the interpolant of values at the nodes, along the rows of a matrix whose columns are nodes.
 inline Eigen::MatrixXd chebyshev_coefficients(const Eigen::MatrixXd& values) {
   const int count = static_cast<int>(values.cols());

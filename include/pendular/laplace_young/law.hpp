@@ -17,13 +17,18 @@ namespace pendular::capillary {
 /// P a polynomial of degree 7 whose coefficients are prepared per bond. Made as `capillary::laplace_young{water}`, and to
 /// be used with `rupture::laplace_young{water}`; both take the contact angle of their fluid for good.
 /// Units: N from N/m, m, m3. Within 1e-4 of 2 pi gamma R_h at equal s = sqrt(1 - D/D_r) for V_b/R^3 in [1e-6, 0.3],
-/// size ratios to 10, theta to 60 degrees; 5e-4 for ratios below 1.06 between 25 and 35 degrees, where equal spheres
+/// size ratios to 10 and the plane, theta to 60 degrees; 5e-4 for ratios below 1.06 between 25 and 35 degrees, where equal spheres
 /// begin to break by the antisymmetric mode (docs/reference/laplace_young.md). Beyond these volumes and ratios P is that
 /// of the bound.
 /// Source: the solver of this library, laplace_young/solve.hpp.
 class laplace_young {
  public:
-  static constexpr validity valid{1e-6, 0.3, 10, 1.0472, true};
+  static constexpr validity valid{.least_volume = 1e-6,
+                                  .largest_volume = 0.3,
+                                  .largest_ratio = 10,
+                                  .largest_contact_angle = 1.0472,
+                                  .geometric_mean = true,
+                                  .planes = true};
   static constexpr double largest_contact_angle = 1.3963;  // of a table, rad; accurate to 1.0472
 
   /// Errors: input_error for a contact angle above 80 degrees, where not all bridges of the table exist.
@@ -54,7 +59,7 @@ class laplace_young {
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const T radius = harmonic_radius(b);
     const T force = T(capillary_tension(f)) * radius;
-    const auto p = at(b);
+    const auto p = numbers<0>(b);
     const T distance = max(T(p[8] * cbrt(b.volume)), T(tiny));
     const auto term = [&](std::size_t k) { return T(force * p[k]); };
     return {max(T(T(2 / std::numbers::pi) * b.volume / radius), T(T(1e-12) * radius * radius)),
@@ -79,31 +84,36 @@ class laplace_young {
   /// Work from the gap of b to the rupture distance, J.
   template <Scalar T>
   T energy(const bridge<T>& b, const fluid& f, const T& rupture_distance) const {
-    using rule = boost::math::quadrature::gauss<double, 30>;
-    const coefficients<T> c = prepare(b, f);
-    const auto part = [&](const T& gap) {  // of the own rupture distance, as 1 - s^2
-      return T(sqrt(T(max(T(T(1) - max(gap, T(0)) * c.rupture_rate), T(0)))));
-    };
-    const T from = part(b.gap), to = min(part(rupture_distance), from);
-    T sum = T(0) * from;
+    return energy(b.gap, prepare(b, f), rupture_distance);
+  }
+
+  /// The same from what `prepare` answered. F_D dD = -dy with y = sqrt(D^2 + A) - D, A the area: what is left to integrate
+  /// over y is P, and over the root of y without the fold at rupture.
+  template <Scalar T>
+  T energy(const T& gap, const coefficients<T>& c, const T& rupture_distance) const {
+    using rule = boost::math::quadrature::gauss<double, 16>;
+    const T own = T(1) / c.rupture_rate;
+    const T first = left(gap, c), last = min(left(T(min(rupture_distance, own)), c), first);
+    T sum = T(0) * gap;
     const auto add = [&](double x, double weight) {
-      // twice quadratic, because the pull changes fastest at contact, s = 1
-      const T share = T(1 - 0.25 * (1 - x) * (1 - x)), s = to + (from - to) * share;
-      sum = T(sum + T(weight * 0.5 * (1 - x)) * s * attraction(T((T(1) - s * s) / c.rupture_rate), c));
+      const double share = 0.5 * (1 + x);
+      const T y = last + T(share * share) * (first - last), d = (c.area - y * y) / (y + y);
+      const T s = sqrt(T(max(T(T(1) - d * c.rupture_rate), T(tiny))));
+      sum = T(sum + T(weight * share) * c.force.at(T(T(2) * s - T(1))));
     };
     for (std::size_t n = 0; n < rule::abscissa().size(); ++n) {
       add(rule::abscissa()[n], rule::weights()[n]);
       add(-rule::abscissa()[n], rule::weights()[n]);
     }
-    const T overlap = max(T(-b.gap), T(0));
-    return T(T(2) * sum * (from - to) / c.rupture_rate + work_beyond(b.gap, rupture_distance, c) +
-             overlap * attraction(T(0), c));
+    // beyond the law's own rupture distance P stays at its last value
+    const T beyond = max(T(left(T(max(gap, own)), c) - left(rupture_distance, c)), T(0));
+    return T(sum * (first - last) + c.force.at(T(-1)) * beyond + max(T(-gap), T(0)) * attraction(T(0), c));
   }
 
   /// The law's own rupture distance, m.
   template <Scalar T>
   T rupture_distance(const bridge<T>& b) const {
-    return T(at(b)[8] * cbrt(b.volume));
+    return T(numbers<table::terms>(b)[0] * cbrt(b.volume));
   }
 
  private:
@@ -116,27 +126,33 @@ class laplace_young {
     return ::pendular::laplace_young::table_of(f.contact_angle);
   }
 
-  /// Where the gap is beyond the law's own rupture distance: P stays at its last value.
+  /// sqrt(D^2 + A) - D, m.
   template <Scalar T>
-  static T work_beyond(const T& gap, const T& rupture_distance, const coefficients<T>& c) {
-    const T own = T(1) / c.rupture_rate;
-    const auto left = [&](const T& at) {
-      const T d = max(T(max(at, own)), gap);
-      return T(c.area / (sqrt(T(d * d + c.area)) + d));
-    };
-    return T(c.force.at(T(-1)) * max(T(left(own) - left(rupture_distance)), T(0)));
+  static T left(const T& gap, const coefficients<T>& c) {
+    const T d = max(gap, T(0));
+    return T(c.area / T(sqrt(T(d * d + c.area)) + d));
   }
 
+  /// v^{1/12}, v = V_b / R^3, within the table.
   template <class T>
-  std::array<T, 9> at(const bridge<T>& b) const {
-    const T small = min(b.radius_i, b.radius_j), large = max(b.radius_i, b.radius_j);
-    const T mean = sqrt(T(small * large));
-    const T v = max(T(b.volume / (mean * mean * mean)), T(1e-12));
+  static T volume_root(const T& volume, const T& radius) {
+    const T v = max(T(volume / (radius * radius * radius)), T(1e-12));
     const T root = cbrt(T(sqrt(T(sqrt(v)))));
+    return T(min(T(max(root, T(table::root_least()))), T(table::root_largest())));
+  }
+
+  /// The last numbers that the table has for a bridge, from `First`: coefficients of P, then D_r / V^{1/3}.
+  template <std::size_t First, class T>
+  auto numbers(const bridge<T>& b) const {
+    const T small = min(b.radius_i, b.radius_j), large = max(b.radius_i, b.radius_j);
     const T part = small / large;
     const T contrast = cbrt(max(T((T(1) - part) / (T(1) + part)), T(tiny)));
-    return table_->evaluate(T(min(T(max(root, T(table::root_least()))), T(table::root_largest()))),
-                            T(min(contrast, T(table::most_contrast()))));
+    const T mean = sqrt(T(small * large));
+    auto p = table_->evaluate<First>(volume_root(b.volume, mean), T(min(contrast, T(table::most_contrast()))));
+    const T at_wall = unit_step(T(T(1 / largest_grain_ratio) - part));  // lane by lane, so both are needed
+    const auto plane = table_->at_plane<First>(volume_root(b.volume, small));
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = T(p[k] + at_wall * (plane[k] - p[k]));
+    return p;
   }
 
   std::shared_ptr<const table> table_;
@@ -147,7 +163,7 @@ class laplace_young {
 namespace pendular::rupture {
 
 /// The gap at which a bridge loses its stability at fixed volume by Laplace-Young, antisymmetric modes included.
-/// Units: m. Relative error 1e-6 for V_b/R^3 in [1e-6, 0.3], size ratios to 10, theta to 60 degrees; 2e-5 for nearly equal
+/// Units: m. Relative error 1e-6 for V_b/R^3 in [1e-6, 0.3], size ratios to 10 and the plane, theta to 60 degrees; 2e-5 for nearly equal
 /// spheres between 25 and 35 degrees. Beyond, V_b^{1/3} times the value at the bound.
 /// Source: the solver of this library, laplace_young/solve.hpp.
 class laplace_young {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -20,44 +21,63 @@ namespace pendular::laplace_young {
 ///
 /// The force of one bridge is F_D P(t), F_D = 2 pi gamma R_h cos(theta) (1 - D / sqrt(D^2 + 2 V / (pi R_h))),
 /// t = 2 sqrt(1 - D/D_r) - 1: F_D takes the shape near contact, the square root the fold at rupture, and P is a
-/// polynomial. Its coefficients and D_r / V^{1/3} are Chebyshev polynomials in v^{1/12} and the contrast of the radii.
+/// polynomial. Its coefficients and D_r / V^{1/3} are Chebyshev polynomials in v^{1/12} and the contrast of the radii, and
+/// for a sphere and a plane in v^{1/12} alone.
 class force_table {
  public:
   static constexpr int terms = 8;                                     // of P
-  static constexpr double least_volume = 1e-6, largest_volume = 0.3;  // V / (R_i R_j)^{3/2}
+  static constexpr double least_volume = 1e-6, largest_volume = 0.3;  // v = V / (R_i R_j)^{3/2}, at a plane V / R^3
   static constexpr double largest_ratio = 10;
   static constexpr int volumes = 14, contrasts = 24;  // terms in volume and contrast
 
   explicit force_table(double contact_angle) : contact_angle_(contact_angle) {
-    Eigen::MatrixXd nodes(terms + 1, volumes * contrasts);
+    Eigen::MatrixXd pairs(terms + 1, volumes * contrasts), planes(terms + 1, volumes);
     for (int i = 0; i < volumes; ++i) {
-      for (int j = 0; j < contrasts; ++j) nodes.col(i * contrasts + j) = fit(i, j);
+      const double volume = std::pow(root_centre() + root_width() * detail::chebyshev_node(i, volumes), 12);
+      for (int j = 0; j < contrasts; ++j) {
+        const double ratio = ratio_of(0.5 * most_contrast() * (1 + detail::chebyshev_node(j, contrasts)));
+        pairs.col(i * contrasts + j) = fit(volume * std::pow(ratio, 1.5), ratio);
+      }
+      planes.col(i) = fit(volume, std::numeric_limits<double>::infinity());
     }
-    transform(nodes);
+    transform(pairs);
+    const Eigen::MatrixXd at_planes = detail::chebyshev_coefficients(planes);
+    for (int k = 0; k <= terms; ++k) {
+      for (int i = 0; i < volumes; ++i) planes_.push_back(at_planes(k, i));
+    }
   }
 
   double contact_angle() const { return contact_angle_; }
 
-  /// Coefficients of the powers of t, and D_r / V^{1/3}, in any scalar.
-  template <class T>
-  std::array<T, terms + 1> evaluate(const T& volume_root, const T& contrast) const {
+  /// What is known of one bridge: coefficients of the powers of t, then D_r / V^{1/3}; numbers First to `terms`, in any
+  /// scalar.
+  template <std::size_t First, class T>
+  std::array<T, terms + 1 - First> evaluate(const T& volume_root, const T& contrast) const {
     std::array<T, volumes> in_volume;
     std::array<T, contrasts> in_contrast;
     detail::chebyshev_basis(T((volume_root - T(root_centre())) / T(root_width())), in_volume);
     detail::chebyshev_basis(T(T(2 / most_contrast()) * contrast - T(1)), in_contrast);
-    std::array<T, terms + 1> result;
-    for (int k = 0; k <= terms; ++k) {
-      const auto row = static_cast<std::size_t>(k);
-      T sum(T(0) * volume_root);
-      for (std::size_t i = 0; i < std::size_t{volumes}; ++i) {
-        T inner(T(0) * volume_root);
-        const std::size_t first = (row * std::size_t{volumes} + i) * std::size_t{contrasts};
-        for (std::size_t j = 0; j < std::size_t{contrasts}; ++j) {
-          inner = T(inner + T(coefficients_[first + j]) * in_contrast[j]);
-        }
-        sum = T(sum + inner * in_volume[i]);
-      }
-      result[row] = sum;
+    std::array<T, (terms + 1 - First) * volumes> rows;  // summed over the contrast, all rows side by side
+    rows.fill(T(T(0) * volume_root));
+    for (std::size_t j = 0; j < in_contrast.size(); ++j) {
+      const double* column = coefficients_.data() + (j * (terms + 1) + First) * volumes;
+      for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = T(rows[r] + T(column[r]) * in_contrast[j]);
+    }
+    std::array<T, terms + 1 - First> result;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      result[k] = detail::weighted_sum(rows.data() + k * volumes, in_volume);
+    }
+    return result;
+  }
+
+  /// The same between a sphere and a plane.
+  template <std::size_t First, class T>
+  std::array<T, terms + 1 - First> at_plane(const T& volume_root) const {
+    std::array<T, volumes> basis;
+    detail::chebyshev_basis(T((volume_root - T(root_centre())) / T(root_width())), basis);
+    std::array<T, terms + 1 - First> result;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      result[k] = detail::weighted_sum(planes_.data() + (First + k) * basis.size(), basis);
     }
     return result;
   }
@@ -72,13 +92,16 @@ class force_table {
   static double root_centre() { return 0.5 * (root_largest() + root_least()); }
   static double root_width() { return 0.5 * (root_largest() - root_least()); }
 
-  /// One bridge: powers of t by weighted least squares over Chebyshev nodes, and the rupture distance.
-  Eigen::VectorXd fit(int volume_node, int contrast_node) const {
+  static double ratio_of(double contrast) {
+    const double q = contrast * contrast * contrast;
+    return (1 + q) / (1 - q);
+  }
+
+  /// One bridge at a sphere of radius 1: powers of t by weighted least squares over Chebyshev nodes, and the rupture
+  /// distance.
+  Eigen::VectorXd fit(double volume, double ratio) const {
     constexpr int samples = 40;
-    const double root = root_centre() + root_width() * detail::chebyshev_node(volume_node, volumes);
-    const double c = 0.5 * most_contrast() * (1 + detail::chebyshev_node(contrast_node, contrasts));
-    const double q = c * c * c, ratio = (1 + q) / (1 - q);
-    const double volume = std::pow(root, 12) * std::pow(ratio, 1.5), harmonic = 2 * ratio / (1 + ratio);
+    const double harmonic = 2 / (1 / ratio + 1);
     bridges_of_volume bridges({1, ratio, contact_angle_, volume, 1 / (2 * std::numbers::pi)});
     const double farthest = bridges.rupture_distance();
     Eigen::MatrixXd basis(samples, terms);
@@ -109,14 +132,15 @@ class force_table {
       const Eigen::MatrixXd both = detail::chebyshev_coefficients(once.transpose()).transpose();
       for (int i = 0; i < volumes; ++i) {
         for (int j = 0; j < contrasts; ++j) {
-          coefficients_[static_cast<std::size_t>((k * volumes + i) * contrasts + j)] = both(i, j);
+          coefficients_[static_cast<std::size_t>((j * (terms + 1) + k) * volumes + i)] = both(i, j);
         }
       }
     }
   }
 
   double contact_angle_;
-  std::vector<double> coefficients_;  // [number][volume][contrast]
+  std::vector<double> coefficients_;  // [contrast][number][volume]
+  std::vector<double> planes_;        // [number][volume]
 };
 
 /// The table of a contact angle, built once per program. Takes part of a second.

@@ -41,8 +41,21 @@ struct bridge {
   T gap;       // m; negative in overlap
   T volume;    // V_b, m3
   T radius_i;  // m
-  T radius_j;  // m
+  T radius_j;  // m; wall_radius(radius_i) for a wall
 };
+
+/// Radius of a wall in a bridge, m: so large that the mean radii of the pair are those of a plane to the last bit, yet
+/// finite, so that no formula in both radii meets infinity over infinity.
+template <Scalar T>
+T wall_radius(const T& radius) {
+  return T(1e16) * radius;
+}
+
+/// A pair of radii beyond this ratio is a grain and a wall.
+inline constexpr double largest_grain_ratio = 1e12;
+
+/// Whether a bridge joins a grain and a wall.
+inline bool is_at_wall(const bridge<double>& b) { return b.radius_j > largest_grain_ratio * b.radius_i; }
 
 /// What a viscous bridge law answers: resistance to closing and to sliding, N s/m, both at least 0.
 template <Scalar T>

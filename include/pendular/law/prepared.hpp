@@ -46,4 +46,15 @@ T attraction(const Law& law, const T& gap, const coefficients_t<Law, T>& c, cons
   }
 }
 
+/// Work from the gap to the rupture distance, J, of a law that knows it: from the coefficients where the law can.
+template <HasCapillaryEnergy Law>
+double energy(const Law& law, const bridge<double>& b, const coefficients_t<Law, double>& c, const fluid& f,
+              double rupture_distance) {
+  if constexpr (requires { law.energy(b.gap, c, rupture_distance); }) {
+    return law.energy(b.gap, c, rupture_distance);
+  } else {
+    return law.energy(b, f, rupture_distance);
+  }
+}
+
 }  // namespace pendular

@@ -15,15 +15,20 @@ struct validity {
   double largest_volume = 1e300;                        // V_b / R^3
   double largest_ratio = 1e300;                         // of the radii
   double largest_contact_angle = std::numbers::pi / 2;  // rad
-  bool geometric_mean = false;                          // R is sqrt(R_i R_j) instead
+  bool geometric_mean = false;                          // R is sqrt(R_i R_j) instead, R_i at a wall
+  bool planes = false;                                  // walls too; a scene with wettable walls asks for it
 
   bool covers(const bridge<double>& b, const fluid& f) const {
-    const double harmonic = 2 / (1 / b.radius_i + 1 / b.radius_j);
-    const double radius = geometric_mean ? std::sqrt(b.radius_i * b.radius_j) : harmonic;
-    const double volume = b.volume / (radius * radius * radius);
     const double ratio = std::max(b.radius_i, b.radius_j) / std::min(b.radius_i, b.radius_j);
-    return volume >= least_volume && volume <= largest_volume && ratio <= largest_ratio &&
-           f.contact_angle <= largest_contact_angle;
+    const double radius = mean_radius(b), volume = b.volume / (radius * radius * radius);
+    return volume >= least_volume && volume <= largest_volume && f.contact_angle <= largest_contact_angle &&
+           (is_at_wall(b) ? planes : ratio <= largest_ratio);
+  }
+
+ private:
+  double mean_radius(const bridge<double>& b) const {
+    if (!geometric_mean) return 2 / (1 / b.radius_i + 1 / b.radius_j);
+    return is_at_wall(b) ? b.radius_i : std::sqrt(b.radius_i * b.radius_j);
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <pendular/core/scalar_table.hpp>
 #include <pendular/law/validity.hpp>
+#include <pendular/liquid/bond_size.hpp>
 #include <pendular/liquid/ledger.hpp>
 #include <pendular/liquid/liquid.hpp>
 #include <pendular/liquid/pair_view.hpp>
@@ -16,7 +17,8 @@
 namespace pendular {
 
 /// The bridges of a scene: the ledger, and per pair what a step needs of it (the coefficients of the capillary law, the
-/// gap at which the bridge breaks, the gap below which one would form). Row p belongs to pair p of the Verlet list.
+/// gap at which the bridge breaks, the gap below which one would form). Rows are those of the pair_view: the pairs of the
+/// Verlet list, then the grains near walls that carry bridges.
 template <class Liquid>
 class bonds {
  public:
@@ -25,9 +27,13 @@ class bonds {
 
   static constexpr bool forms_on_closing = Liquid::forms_on_closing;
   static constexpr bool is_viscous = Liquid::is_viscous;
+  static constexpr bool knows_planes = validity_of<typename Liquid::capillary_law>().planes &&
+                                       validity_of<typename Liquid::rupture_law>().planes &&
+                                       (!is_viscous || validity_of<typename Liquid::viscous_law>().planes);
   static constexpr double never = -1e300;  // a gap no pair reaches; finite, because lanes multiply by zero
 
-  explicit bonds(const Liquid& liquid) : liquid_(liquid) {}
+  explicit bonds(const Liquid& liquid)
+      : liquid_(liquid), idle_(prepare(liquid_.law(), bridge<double>{0, 1e-3, 1, 1}, liquid_.substance())) {}
 
   const Liquid& policies() const { return liquid_; }
   ledger& book() { return ledger_; }
@@ -93,32 +99,51 @@ class bonds {
     return !is_bonded(p) && gap < forms_below_[p] && (!forms_on_closing || before >= forms_below_[p]);
   }
 
-  /// Largest rupture distance of a present bridge or of one that present films could form, m: what the list must see.
+  /// Largest rupture distance of a present bridge, or of one that could form from the liquid which the grains have in
+  /// films and bridges, m: what the list must see.
   double reach(const pair_view& view) const {
     double farthest = 0;
-    for (std::size_t p = 0; p < ledger_.bonds().size(); ++p) farthest = std::max(farthest, breaks_above_[p]);
-    if (!Liquid::redistributes_locally || view.radius.empty()) return farthest;
-    const auto films = ledger_.films();
-    const double film = films.empty() ? 0 : *std::max_element(films.begin(), films.end());
+    for (const double gap : breaks_above_) farthest = std::max(farthest, gap);
+    return std::max(farthest, formation_reach(view));
+  }
+
+  /// The part of it that films and bridges of today could form, m.
+  double formation_reach(const pair_view& view) const {
+    if (!Liquid::redistributes_locally || view.radius.empty()) return 0;
+    if (liquid_.formation().reach(1.0) == liquid_.formation().reach(2.0)) return liquid_.formation().reach(1.0);
+    std::vector<double> liquid(ledger_.films().begin(), ledger_.films().end());
+    view.for_each_row([&](std::size_t p) {
+      view.for_each_grain_of(p, [&](std::size_t grain) { liquid[grain] += ledger_.bonds()[p]; });
+    });
+    const double most = 2 * *std::max_element(liquid.begin(), liquid.end());
     const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
-    double formed = 0;
-    for (const double r : {*small, *large}) {
-      formed = std::max(formed, liquid_.rupture_distance({0, 2 * film, r, r}));
-    }
-    return std::max(farthest, liquid_.formation().reach(formed));
+    return liquid_.formation().reach(std::max(farthest_of(view, *small, most), farthest_of(view, *large, most)));
+  }
+
+  /// Rupture distance of a bridge of this volume between grains of this radius, or at a wall that carries bridges, m.
+  double farthest_of(const pair_view& view, double radius, double volume) const {
+    const double between = liquid_.rupture_distance({0, volume, radius, radius});
+    if (!view.wet_walls) return between;
+    return std::max(between, liquid_.rupture_distance({0, volume, radius, wall_radius(radius)}));
   }
 
   /// Follows the pairs into a new list. Every bridge must have its pair there: the range of the list sees to it.
   void carry(std::span<const std::int32_t> origin, const pair_view& view) {
-    const std::size_t rows = view.first.size();
+    const std::size_t rows = view.rows();
     if (!ledger_.carry_bonds(origin, rows).empty()) {
       throw run_error(
           "a liquid bridge lost its pair when the neighbour list was rebuilt (see docs/reference/liquid.md)");
     }
     coefficients_.carry(origin, rows);
-    breaks_above_.assign(rows, never);
+    std::vector<double> breaks_above(rows, never);
+    for (std::size_t p = 0; p < origin.size(); ++p) {
+      if (origin[p] >= 0) breaks_above[p] = breaks_above_[static_cast<std::size_t>(origin[p])];
+    }
+    breaks_above_.swap(breaks_above);
     forms_below_.assign(rows, never);
-    for (std::size_t p = 0; p < rows; ++p) refresh(p, view);
+    for (std::size_t p = 0; p < rows; ++p) {
+      if (!is_bonded(p)) refresh(p, view);
+    }
   }
 
   /// Moves liquid to or from bond p and keeps coefficients, thresholds and energy book in step.
@@ -134,9 +159,9 @@ class bonds {
     move(ledger::bond_of(p), to, ledger_.bonds()[p], p, gap, view);
   }
 
-  /// Coefficients and thresholds of pair p from its volume and from the films of its grains.
+  /// Coefficients and thresholds of row p from its volume and from the films of its grains.
   void refresh(std::size_t p, const pair_view& view) {
-    const bool real = p < view.pairs;
+    const bool real = !view.is_padding(p);
     const double volume = real ? ledger_.bonds()[p] : 0.0;
     breaks_above_[p] = forms_below_[p] = never;
     if (volume > 0) {
@@ -145,26 +170,23 @@ class bonds {
       coefficients_.set_row(p, prepare(liquid_.law(), b, liquid_.substance()));
       return;
     }
-    const double size = bond_size(p, view);
-    // An idle lane is evaluated too and multiplied by zero, so it needs coefficients that give a finite pull.
-    coefficients_.set_row(p, prepare(liquid_.law(), view.bridge_of(p, 0, 1e-3 * size), liquid_.substance()));
-    if (Liquid::redistributes_locally && real) forms_below_[p] = formation_gap(p, size, view);
+    coefficients_.set_row(p, idle_);
+    if (Liquid::redistributes_locally && real) forms_below_[p] = formation_gap(p, size_of(p, view), view);
   }
 
   /// Energy that opening bond p from the gap to rupture would cost, J.
   double energy(std::size_t p, double gap, const pair_view& view) const {
     if constexpr (HasCapillaryEnergy<typename Liquid::capillary_law>) {
       if (!is_bonded(p) || gap >= breaks_above_[p]) return 0;
-      return liquid_.law().energy(view.bridge_of(p, gap, ledger_.bonds()[p]), liquid_.substance(), breaks_above_[p]);
+      return pendular::energy(liquid_.law(), view.bridge_of(p, gap, ledger_.bonds()[p]), coefficients_.row(p),
+                              liquid_.substance(), breaks_above_[p]);
     } else {
       return 0;
     }
   }
 
   /// R^3 of Eq. 14, m3.
-  static double bond_size(std::size_t p, const pair_view& view) {
-    return std::pow(view.radius[view.grain_i(p)] * view.radius[view.grain_j(p)], 1.5);
-  }
+  static double size_of(std::size_t p, const pair_view& view) { return bond_size(view.bridge_of(p, 0, 0)); }
 
   /// To be called when a bridge has got all of its liquid: counts it if its laws do not claim to be valid for it.
   void made(std::size_t p, const pair_view& view) {
@@ -176,13 +198,14 @@ class bonds {
 
  private:
   double formation_gap(std::size_t p, double size, const pair_view& view) const {
-    const double available = ledger_.films()[view.grain_i(p)] + ledger_.films()[view.grain_j(p)];
+    const double available = view.sum_over_grains_of(p, ledger_.films());
     if (available < liquid_.formation().minimum_volume * size) return never;
     return liquid_.formation().reach(liquid_.rupture_distance(view.bridge_of(p, 0, available)));
   }
 
   Liquid liquid_;
   ledger ledger_;
+  coefficients<double> idle_;  // an idle lane is evaluated too and multiplied by zero: its pull must be finite
   scalar_table<coefficients> coefficients_;
   std::vector<double> breaks_above_, forms_below_;
   double work_ = 0;
@@ -191,6 +214,7 @@ class bonds {
 
 /// In place of bonds in a dry scene.
 struct no_bonds {
+  static constexpr bool knows_planes = false;
   static constexpr bool forms_on_closing = false;
   static constexpr bool is_viscous = false;
 };

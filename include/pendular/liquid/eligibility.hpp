@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/law/concepts.hpp>
+#include <pendular/liquid/bond_size.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@ struct candidate {
   bridge<double> geometry;  // volume not used
   std::pair<std::int64_t, std::int64_t> ids;
 
-  /// R^3 of Eq. 14, R = sqrt(R_i R_j), m3.
-  double size() const { return std::pow(geometry.radius_i * geometry.radius_j, 1.5); }
+  /// R^3 of Eq. 14, m3.
+  double size() const { return bond_size(geometry); }
 };
 
 /// Eq. 14 solved: V_b = alpha R^3 for the eligible pairs.

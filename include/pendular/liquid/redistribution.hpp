@@ -19,10 +19,16 @@ struct bond_events {
 
 namespace detail {
 
-/// V_i = V D_i / (D_i + D_j) to the film of i, the rest to that of j (Richefeu et al. 2007, section 3.2).
+/// V_i = V D_i / (D_i + D_j) to the film of i, the rest to that of j (Richefeu et al. 2007, section 3.2). A wall keeps no
+/// film: all that it shared with a grain stays on the grain.
 template <class Liquid>
 void break_bond(bonds<Liquid>& b, std::size_t p, double gap, const pair_view& view) {
-  const std::size_t i = view.grain_i(p), j = view.grain_j(p);
+  const std::size_t i = view.grain_i(p);
+  if (view.is_at_wall(p)) {
+    b.drain(p, ledger::film_of(i), gap, view);
+    return;
+  }
+  const std::size_t j = view.grain_j(p);
   const double share = b.book().bonds()[p] * (view.radius[i] / (view.radius[i] + view.radius[j]));
   b.move(ledger::bond_of(p), ledger::film_of(i), share, p, gap, view);
   b.drain(p, ledger::film_of(j), gap, view);
@@ -35,6 +41,13 @@ struct pull {
   double volume;  // m3
 };
 
+/// visit(row) for all rows of a grain: its pairs by the partners' ids, then its walls.
+template <class PairsOf, class Visit>
+void for_each_row_of(std::size_t grain, const pair_view& view, const PairsOf& pairs_of, const Visit& visit) {
+  for (const auto& incidence : pairs_of(grain)) visit(static_cast<std::size_t>(incidence.pair));
+  view.for_each_wall_row_of(grain, visit);
+}
+
 /// The three moves of a local protocol for one grain that has a film.
 template <class Liquid, class PairsOf>
 void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view, const gap_history& gap,
@@ -43,20 +56,18 @@ void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view
   const auto receives = [&](std::size_t p) { return b.is_bonded(p) || b.forms(p, gap.now[p], gap.before[p]); };
   const auto side = [&](std::size_t p) { return view.side(p, grain, !b.is_bonded(p)); };
   std::optional<decltype(protocol.offer(bond_side{}))> merged;
-  for (const auto& incidence : pairs_of(grain)) {
-    const auto p = static_cast<std::size_t>(incidence.pair);
-    if (!receives(p)) continue;
+  for_each_row_of(grain, view, pairs_of, [&](std::size_t p) {
+    if (!receives(p)) return;
     const auto offer = protocol.offer(side(p));
     merged = merged ? protocol.merge(*merged, offer) : offer;
-  }
+  });
   if (!merged) return;
   const auto grant = protocol.settle(*merged, b.book().films()[grain]);
-  for (const auto& incidence : pairs_of(grain)) {
-    const auto p = static_cast<std::size_t>(incidence.pair);
-    if (!receives(p)) continue;
+  for_each_row_of(grain, view, pairs_of, [&](std::size_t p) {
+    if (!receives(p)) return;
     const double volume = protocol.pull(side(p), grant);
     if (volume > 0) pulls.push_back({p, grain, volume});
-  }
+  });
 }
 
 /// Whether all that is pulled into a pair makes a bridge there: enough liquid, and not beyond its own rupture distance.
@@ -64,7 +75,7 @@ template <class Liquid>
 bool makes_bond(const bonds<Liquid>& b, std::size_t p, double volume, double gap, const pair_view& view) {
   if (b.is_bonded(p)) return true;
   const auto formation = b.policies().formation();
-  if (volume < formation.minimum_volume * b.bond_size(p, view)) return false;
+  if (volume < formation.minimum_volume * b.size_of(p, view)) return false;
   return gap < formation.reach(b.policies().rupture_distance(view.bridge_of(p, gap, volume)));
 }
 
@@ -98,10 +109,9 @@ void refresh_dry_pairs(bonds<Liquid>& b, std::vector<std::size_t> grains, const 
   std::sort(grains.begin(), grains.end());
   grains.erase(std::unique(grains.begin(), grains.end()), grains.end());
   for (const std::size_t grain : grains) {
-    for (const auto& incidence : pairs_of(grain)) {
-      const auto p = static_cast<std::size_t>(incidence.pair);
+    for_each_row_of(grain, view, pairs_of, [&](std::size_t p) {
       if (!b.is_bonded(p)) b.refresh(p, view);
-    }
+    });
   }
 }
 
@@ -110,13 +120,13 @@ template <class Liquid, class PairsOf>
 std::int64_t break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap,
                          const PairsOf& pairs_of) {
   std::vector<std::size_t> broken;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
+  view.for_each_row([&](std::size_t p) {
     if (b.breaks(p, gap[p])) broken.push_back(p);
-  }
+  });
   std::sort(broken.begin(), broken.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
   for (const std::size_t p : broken) break_bond(b, p, gap[p], view);
   std::vector<std::size_t> grains;
-  for (const std::size_t p : broken) grains.insert(grains.end(), {view.grain_i(p), view.grain_j(p)});
+  for (const std::size_t p : broken) view.for_each_grain_of(p, [&](std::size_t grain) { grains.push_back(grain); });
   refresh_dry_pairs(b, std::move(grains), view, pairs_of);
   return static_cast<std::int64_t>(broken.size());
 }
@@ -128,11 +138,11 @@ std::int64_t break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<cons
 template <class Liquid>
 std::int64_t break_torn_bonds(bonds<Liquid>& b, const pair_view& view, double range) {
   std::int64_t torn = 0;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    if (!b.is_bonded(p) || view.gap(p) < range) continue;
+  view.for_each_row([&](std::size_t p) {
+    if (!b.is_bonded(p) || view.gap(p) < range) return;
     detail::break_bond(b, p, view.gap(p), view);
     ++torn;
-  }
+  });
   return torn;
 }
 
@@ -168,13 +178,13 @@ inline void spread_over_grains(ledger& book, const pair_view& view, double volum
 }
 }  // namespace detail
 
-/// Pairs of the list that the selection keeps, with their gaps.
+/// Rows of the bonds that the selection keeps, with their gaps.
 inline std::vector<candidate> candidates(const pair_view& view, const bond_selection& selection) {
   std::vector<candidate> found;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    const std::int64_t i = view.id[view.grain_i(p)], j = view.id[view.grain_j(p)];
+  view.for_each_row([&](std::size_t p) {
+    const auto [i, j] = view.ids(p);
     if (selection.keeps(i, j)) found.push_back({p, view.bridge_of(p, view.gap(p), 0), {i, j}});
-  }
+  });
   return found;
 }
 
@@ -187,9 +197,7 @@ double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const st
   const double alpha = possible_alpha(all, liquid_volume).high;
   double farthest = 0;
   const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
-  for (const double r : {*small, *large}) {
-    farthest = std::max(farthest, b.policies().rupture_distance({0, alpha * r * r * r, r, r}));
-  }
+  for (const double r : {*small, *large}) farthest = std::max(farthest, b.farthest_of(view, r, alpha * r * r * r));
   return farthest;
 }
 
@@ -198,13 +206,11 @@ double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const st
 template <class Liquid>
 bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, const bond_selection& selection) {
   const std::vector<candidate> all = candidates(view, selection);
-  std::vector<double> gaps(view.pairs);
-  for (std::size_t p = 0; p < view.pairs; ++p) gaps[p] = view.gap(p);
-  std::vector<bool> was_bonded(view.pairs);
-  for (std::size_t p = 0; p < view.pairs; ++p) {
+  std::vector<bool> was_bonded(view.rows());
+  view.for_each_row([&](std::size_t p) {
     was_bonded[p] = b.is_bonded(p);
-    if (was_bonded[p]) b.drain(p, ledger::reservoir(), gaps[p], view);
-  }
+    if (was_bonded[p]) b.drain(p, ledger::reservoir(), view.gap(p), view);
+  });
   for (std::size_t g = 0; g < view.radius.size(); ++g) b.book().empty(ledger::film_of(g), ledger::reservoir());
 
   const double volume = b.book().introduced();  // all of it is in the reservoir now; this figure has no round-off
@@ -212,18 +218,18 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
   if (share.alpha > 0 && share.alpha >= b.policies().formation().minimum_volume) {
     for (const std::size_t k : share.eligible) {
       const std::size_t p = all[k].pair;
-      b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, gaps[p], view);
+      b.move(ledger::reservoir(), ledger::bond_of(p), share.alpha * all[k].size(), p, all[k].geometry.gap, view);
       b.made(p, view);
     }
   } else {
     detail::spread_over_grains(b.book(), view, volume);
   }
   bond_events events;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
+  view.for_each_row([&](std::size_t p) {
     if (!b.is_bonded(p)) b.refresh(p, view);  // its films have changed, and with them whether it may form
     events.ruptures += was_bonded[p] && !b.is_bonded(p) ? 1 : 0;
     events.formations += !was_bonded[p] && b.is_bonded(p) ? 1 : 0;
-  }
+  });
   return events;
 }
 

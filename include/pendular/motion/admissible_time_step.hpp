@@ -96,16 +96,17 @@ std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, c
 }  // namespace detail
 
 namespace detail {
-/// The grains near a wall feel it as if they touched it.
+/// The grains within `reach` of a wall feel it as if they touched it.
 template <class Grains, class Wall, class WallContacts, class Material>
 void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const WallContacts& near,
-              const Material& material) {
+              const Material& material, double reach) {
   const auto position = g.template get<column::position>();
   const auto radius = g.template get<column::radius>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
   for (std::size_t k = 0; k < near.size(); ++k) {
     const std::size_t row = near.row(k);
     const auto m = wall.shape.meet(position[row], radius[row]);
+    if (m.gap > reach) continue;
     const approach<double> a{m.gap, 0, 1 / inverse_mass[row], radius[row], std::numeric_limits<double>::infinity()};
     add_contact(all[row], contact_tangent<Material>::of(material, a), m.normal);
   }
@@ -152,15 +153,14 @@ scene_limit bridge_viscosity_step_limit(const Integration& integrator, const Gra
                                         const bonds<Liquid>& b) {
   const auto inverse_mass = g.template get<column::inverse_mass>();
   std::vector<double> sums(g.size(), 0.0);
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    if (!b.is_bonded(p)) continue;
+  view.for_each_row([&](std::size_t p) {
+    if (!b.is_bonded(p)) return;
     const bridge<double> closed = view.bridge_of(p, 0, b.book().bonds()[p]);
     const auto r = b.policies().viscous().resistance(closed, b.policies().substance());
-    for (const std::size_t grain : {view.grain_i(p), view.grain_j(p)}) {
-      sums[grain] +=
-          std::max(r.normal, 3.5 * r.tangential);  // a solid sphere answers a push with 7/2 of its inverse mass
-    }
-  }
+    // a solid sphere answers a push with 7/2 of its inverse mass
+    const double rate = std::max(r.normal, 3.5 * r.tangential);
+    view.for_each_grain_of(p, [&](std::size_t grain) { sums[grain] += rate; });
+  });
   scene_limit worst{"the time step (s), against the viscosity of the bridges", integrator.time_step, HUGE_VAL};
   for (std::size_t k = 0; k < g.size(); ++k) {
     const double step = Integration::stable_step(0, 2 * inverse_mass[k] * sums[k]);
@@ -175,15 +175,15 @@ scene_limit capillary_step_limit(const Integration& integrator, const Grains& g,
                                  const bonds<Liquid>& b) {
   const auto inverse_mass = g.template get<column::inverse_mass>();
   scene_limit worst{"the time step (s), against the slope of the capillary force", integrator.time_step, HUGE_VAL};
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    if (!b.is_bonded(p)) continue;
-    const std::size_t i = view.grain_i(p), j = view.grain_j(p);
-    const double first_gap = 1e-9 * std::min(view.radius[i], view.radius[j]);
-    const double steepness = std::abs(
-        slope(b.policies().law(), view.bridge_of(p, first_gap, b.book().bonds()[p]), b.policies().substance()));
-    const double step = 0.1 / std::sqrt(steepness * (inverse_mass[i] + inverse_mass[j]));
-    if (!(step >= worst.bound)) worst = {worst.what, worst.value, step, view.id[i]};  // a slope that is no number too
-  }
+  view.for_each_row([&](std::size_t p) {
+    if (!b.is_bonded(p)) return;
+    bridge<double> opening = view.bridge_of(p, 0, b.book().bonds()[p]);
+    opening.gap = 1e-9 * std::min(opening.radius_i, opening.radius_j);
+    const double steepness = std::abs(slope(b.policies().law(), opening, b.policies().substance()));
+    const double step = 0.1 / std::sqrt(steepness * view.sum_over_grains_of(p, inverse_mass));
+    // not `<`, for a slope that is no number
+    if (!(step >= worst.bound)) worst = {worst.what, worst.value, step, view.ids(p).first};
+  });
   return worst;
 }
 

@@ -32,29 +32,27 @@ scene_limit damping_limit(const Grains& g, const Material& material) {
 }
 
 /// Force of a load or a bridge against k_n d: the stiffness number k_n d / f must be at least 1e3.
-template <class Grains, class Material>
-scene_limit softness_limit(const Grains& g, const Material& material, const std::string& of_what, double force,
-                           double radius, std::int64_t grain) {
-  static_cast<void>(g);
+template <class Material>
+scene_limit softness_limit(const Material& material, const std::string& of_what, double force, double radius,
+                           std::int64_t grain) {
   const approach<double> a{-1e-3 * radius, 0, 1, radius, radius};
   const double overlap = force / std::max(stiffness(material.normal(), a), tiny);
   return {"the overlap over the diameter under " + of_what, overlap / (2 * radius), 1 / least_stiffness_number, grain};
 }
 
 /// The largest bridge force against the contact stiffness.
-template <class Grains, class Material, class Liquid>
-scene_limit bridge_softness_limit(const Grains& g, const Material& material, const pair_view& view,
-                                  const bonds<Liquid>& b) {
+template <class Material, class Liquid>
+scene_limit bridge_softness_limit(const Material& material, const pair_view& view, const bonds<Liquid>& b) {
   scene_limit worst{"the overlap over the diameter under the capillary force", 0, 1 / least_stiffness_number};
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    if (!b.is_bonded(p)) continue;
+  view.for_each_row([&](std::size_t p) {
+    if (!b.is_bonded(p)) return;
     const bridge<double> closed = view.bridge_of(p, 0, b.book().bonds()[p]);
     const auto c = prepare(b.policies().law(), closed, b.policies().substance());
     const double pull = attraction(b.policies().law(), 0.0, c, b.policies().substance());
     const double radius = std::min(closed.radius_i, closed.radius_j);
-    const scene_limit here = softness_limit(g, material, "the capillary force", pull, radius, view.id[view.grain_i(p)]);
+    const scene_limit here = softness_limit(material, "the capillary force", pull, radius, view.id[view.grain_i(p)]);
     if (here.value > worst.value) worst = here;
-  }
+  });
   return worst;
 }
 
@@ -64,7 +62,7 @@ scene_limit pressure_limit(const Grains& g, const Material& material, double pre
   const auto radius = g.template get<column::radius>();
   const auto largest = static_cast<std::size_t>(std::max_element(radius.begin(), radius.end()) - radius.begin());
   const double d = 2 * radius[largest];
-  return softness_limit(g, material, "the pressure of the scene", pressure * d * d, radius[largest],
+  return softness_limit(material, "the pressure of the scene", pressure * d * d, radius[largest],
                         g.template get<column::id>()[largest]);
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace pendular::observe {
 
@@ -97,6 +98,12 @@ void add_walls(const System& s, energies& e) {
       });
     }
     add_springs(m, contacts.memories(), contacts.size(), e);
+    if constexpr (std::remove_cvref_t<decltype(contacts)>::carries_bridges) {
+      const auto view = s.view();
+      e.capillary -= sum(contacts.size(), [&](std::size_t k) {
+        return s.bridges().energy(contacts.bond_row(k), contacts.gap(k), view);
+      });
+    }
     const auto work = contacts.work().total();
     e.damping += work.damping;
     e.friction += work.friction;

@@ -103,7 +103,7 @@ void demand_capillary_in(report& broken, const Law& law, const fluid& f, std::st
   demand(broken, Pulls<Law, T>, property, {});
   if constexpr (Pulls<Law, T>) {
     const auto force = [&]<class U>(const bridge<U>& b) { return pull(law, b, f); };
-    demand_same_in<T>(broken, property, bridge_samples(), force, granted_error_of<T, Law>());
+    demand_same_in<T>(broken, property, bridge_samples(validity_of<Law>()), force, granted_error_of<T, Law>());
   }
 }
 }  // namespace detail
@@ -112,7 +112,7 @@ void demand_capillary_in(report& broken, const Law& law, const fluid& f, std::st
 template <CapillaryLaw Law>
 report capillary_law_report(const Law& law, const fluid& f) {
   report broken;
-  for (const bridge<double>& b : bridge_samples()) {
+  for (const bridge<double>& b : bridge_samples(validity_of<Law>())) {
     detail::demand_pull(broken, law, b, f);
     if (validity_of<Law>().covers(b, f)) detail::demand_shape(broken, law, b, f);
     detail::demand_invariance(broken, law, b, f);

@@ -48,7 +48,7 @@ void demand_rupture_in(report& broken, const Law& law, const fluid& f, std::stri
   demand(broken, Breaks<Law, T>, property, {});
   if constexpr (Breaks<Law, T>) {
     const auto distance = [&](const auto& b) { return law.distance(b, f); };
-    demand_same_in<T>(broken, property, bridge_samples(), distance);
+    demand_same_in<T>(broken, property, bridge_samples(validity_of<Law>()), distance);
   }
 }
 }  // namespace detail
@@ -57,7 +57,7 @@ void demand_rupture_in(report& broken, const Law& law, const fluid& f, std::stri
 template <RuptureLaw Law>
 report rupture_law_report(const Law& law, const fluid& f) {
   report broken;
-  for (const bridge<double>& b : bridge_samples()) {
+  for (const bridge<double>& b : bridge_samples(validity_of<Law>())) {
     detail::demand_distance(broken, law, b, f);
     detail::demand_rupture_invariance(broken, law, b, f);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/law/inputs.hpp>
+#include <pendular/law/validity.hpp>
 
 #include <cmath>
 #include <limits>
@@ -22,10 +23,13 @@ inline std::vector<approach<double>> approach_samples(double radius = 5e-4) {
   return samples;
 }
 
-/// Bridges from a millionth to a tenth of the smaller grain's radius cubed, from overlap to beyond rupture.
-inline std::vector<bridge<double>> bridge_samples(double radius = 5e-4) {
+/// Bridges from a millionth to a tenth of the smaller grain's radius cubed, from overlap to beyond rupture; walls only
+/// for laws that know planes.
+inline std::vector<bridge<double>> bridge_samples(const validity& law = {}, double radius = 5e-4) {
   std::vector<bridge<double>> samples;
-  for (const double ratio : {1.0, 2.0, 10.0, 100.0}) {
+  std::vector<double> ratios{1, 2, 10, 100};
+  if (law.planes) ratios.push_back(wall_radius(1.0));
+  for (const double ratio : ratios) {
     for (const double volume : {1e-6, 1e-4, 1e-2, 1e-1}) {
       for (const double gap : {-1e-2, -1e-6, 0.0, 1e-3, 1e-1, 0.5, 1.0, 1.5}) {
         const double length = gap < 0 ? radius : radius * std::cbrt(volume);

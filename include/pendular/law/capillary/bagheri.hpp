@@ -17,7 +17,8 @@ namespace pendular::capillary {
 /// of the rupture distance for v from 1e-4 (5 % for 1e-5), for every size ratio; to 18 % low at 40 degrees. Never less than nothing at contact.
 /// Source: M. Bagheri, S. Roy, T. Poeschel 2024, arXiv:2310.11485.
 struct bagheri {
-  static constexpr validity valid{1e-5, 0.1, 1e300, 0.7};
+  static constexpr validity valid{
+      .least_volume = 1e-5, .largest_volume = 0.1, .largest_contact_angle = 0.7, .planes = true};
 
   template <class T>
   using coefficients = rational_bridge<T>;

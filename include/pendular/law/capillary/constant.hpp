@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/law/capillary/pair_radius.hpp>
+#include <pendular/law/validity.hpp>
 
 namespace pendular::capillary {
 
@@ -9,6 +10,8 @@ namespace pendular::capillary {
 /// is right as volume and gap vanish; N from N/m and m.
 /// Source: B. V. Derjaguin, Kolloid-Z. 69, 155 (1934), for the amplitude.
 struct constant {
+  static constexpr validity valid{.planes = true};
+
   template <class T>
   struct coefficients {
     T amplitude;  // N

@@ -13,7 +13,7 @@ namespace pendular::capillary {
 /// Source: P. Lambert, A. Chau, A. Delchambre, S. Regnier 2008, Langmuir 24, 3157; the same as D. Maugis 1987, J. Adhes.
 /// Sci. Technol. 1, 105, and the capillary term of O. Pitois et al. 2000, J. Colloid Interface Sci. 231, 26.
 struct lambert {
-  static constexpr validity valid{0, 0.1, 1e300, 0.3491};
+  static constexpr validity valid{.largest_volume = 0.1, .largest_contact_angle = 0.3491, .planes = true};
 
   template <class T>
   struct coefficients {

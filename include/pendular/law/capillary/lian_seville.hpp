@@ -16,7 +16,8 @@ namespace pendular::capillary {
 /// to 40 degrees; over the gap 6 % at theta = 0, 12 % at 20, 24 % at 40 up to three quarters of the rupture distance.
 /// Source: G. Lian, J. Seville 2016, Adv. Colloid Interface Sci. 227, 53.
 struct lian_seville {
-  static constexpr validity valid{1e-5, 0.1, 1e300, 0.35};
+  static constexpr validity valid{
+      .least_volume = 1e-5, .largest_volume = 0.1, .largest_contact_angle = 0.35, .planes = true};
 
   template <class T>
   using coefficients = rational_bridge<T>;

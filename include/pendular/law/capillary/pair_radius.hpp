@@ -5,13 +5,13 @@
 
 namespace pendular::capillary {
 
-/// Harmonic (Derjaguin) mean 2 R_i R_j / (R_i + R_j), m; 2 R_i against a plane, whose radius is infinite.
+/// Harmonic (Derjaguin) mean 2 R_i R_j / (R_i + R_j), m; 2 R_i against a wall.
 template <Scalar T>
 T harmonic_radius(const bridge<T>& b) {
   return T(2) / T(T(1) / b.radius_i + T(1) / b.radius_j);
 }
 
-/// Geometric mean, m. No number against a plane.
+/// Geometric mean, m. Meaningless against a wall.
 template <Scalar T>
 T geometric_radius(const bridge<T>& b) {
   return sqrt(T(b.radius_i * b.radius_j));

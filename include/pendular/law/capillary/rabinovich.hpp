@@ -13,7 +13,7 @@ namespace pendular::capillary {
 /// Units: N from N/m, m, m3 and rad. Against Laplace-Young 9 to 56 % high at V_b/R^3 = 0.1, to 81 % at theta = 20 degrees.
 /// Source: Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil 2005, Langmuir 21, 10992.
 struct rabinovich {
-  static constexpr validity valid{0, 1e-2, 1e300, 0.2};
+  static constexpr validity valid{.largest_volume = 1e-2, .largest_contact_angle = 0.2, .planes = true};
 
   template <class T>
   struct coefficients {

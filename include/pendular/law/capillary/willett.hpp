@@ -13,7 +13,8 @@ namespace pendular::capillary {
 /// rupture distance for V_b/R^3 in [1e-4, 0.1] and theta to 50 degrees; 15 to 93 % high at that gap for 1e-5.
 /// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville 2000, Langmuir 16, 9396, appendix A1.
 struct willett {
-  static constexpr validity valid{1e-4, 0.1, 1e300, 0.8727};
+  static constexpr validity valid{
+      .least_volume = 1e-4, .largest_volume = 0.1, .largest_contact_angle = 0.8727, .planes = true};
 
   template <class T>
   struct coefficients {

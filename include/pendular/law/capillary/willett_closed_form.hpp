@@ -12,7 +12,7 @@ namespace pendular::capillary {
 /// beyond a quarter of the rupture distance, at theta = 0.
 /// Source: C. D. Willett et al. 2000, Langmuir 16, 9396; S. Herminghaus 2005, Adv. Phys. 54, 221.
 struct willett_closed_form {
-  static constexpr validity valid{0, 0.1, 1e300, 0.3491};
+  static constexpr validity valid{.largest_volume = 0.1, .largest_contact_angle = 0.3491, .planes = true};
 
   template <class T>
   using coefficients = rational_bridge<T>;

@@ -3,6 +3,7 @@
 
 #include <pendular/law/capillary/pair_radius.hpp>
 #include <pendular/law/inputs.hpp>
+#include <pendular/law/validity.hpp>
 
 namespace pendular::viscous {
 
@@ -15,6 +16,8 @@ namespace pendular::viscous {
 /// Source: M. J. Adams, V. Perchard 1985, Inst. Chem. Eng. Symp. Ser. 91, 147; O. Pitois, P. Moucheront, X. Chateau 2000,
 /// J. Colloid Interface Sci. 231, 26; A. J. Goldman, R. G. Cox, H. Brenner 1967, Chem. Eng. Sci. 22, 637.
 struct lubrication {
+  static constexpr validity valid{.planes = true};
+
   double least_gap = 1e-2;  // of the film over R*
 
   template <Scalar T>

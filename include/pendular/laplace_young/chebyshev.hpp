@@ -24,7 +24,7 @@ void chebyshev_basis(const T& x, std::array<T, Count>& out) {
 /// sum_k weights[k] basis[k]
 template <class Weight, class T, std::size_t Count>
 T weighted_sum(const Weight* weights, const std::array<T, Count>& basis) {
-  T sum(T(weights[0]) * basis[0]);
+  T sum = T(T(weights[0]) * basis[0]);
   for (std::size_t k = 1; k < Count; ++k) sum = T(sum + T(weights[k]) * basis[k]);
   return sum;
 }

@@ -297,7 +297,7 @@ class system {
     grains_.permute(order);
     const auto position = grains_.template get<column::position>();
     const auto origin = list_.rebuild(position, grains_.template get<column::radius>(),
-                                      grains_.template get<column::id>(), cell_grid(position, edge), range, order);
+                                      grains_.template get<column::id>(), cell_grid(position, edge), range, range - skin_, order);
     contacts_.carry(origin, list_.padded_size());
     auto bond_origin = origin;
     bond_origin.resize(list_.padded_size(), -1);

@@ -48,7 +48,7 @@ struct cloud {
 
   std::vector<std::int32_t> list_into(pair_list& list, double range) {
     const auto order = sort(range);
-    return list.rebuild(position, radius, id, cell_grid(position, edge(range)), range, order);
+    return list.rebuild(position, radius, id, cell_grid(position, edge(range)), range, 0.5 * range, order);
   }
 
   std::set<id_pair> all_pairs(double range) const {
@@ -99,6 +99,23 @@ void check(cloud c, double range) {
   }
 }
 }  // namespace
+
+TEST_CASE("pairs of one kind stand together: touching, within reach of a bridge, beyond it") {
+  cloud c = random_cloud(100, 6, 5);  // few enough for one chunk
+  pair_list list;
+  c.list_into(list, 0.2);
+  int last = 0;
+  std::set<int> met;
+  for (std::size_t p = 0; p < list.size(); ++p) {
+    const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
+    const double gap = norm(c.position[i] - c.position[j]) - c.radius[i] - c.radius[j];
+    const int kind = gap <= 0 ? 0 : gap <= 0.1 ? 1 : 2;
+    CHECK(kind >= last);
+    last = kind;
+    met.insert(kind);
+  }
+  CHECK(met.size() == 3);
+}
 
 TEST_CASE("random clouds of any density have the pairs of the full search") {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {

@@ -6,6 +6,7 @@
 #include <pendular/contact/findings.hpp>
 #include <pendular/contact/force.hpp>
 #include <pendular/contact/gap_record.hpp>
+#include <pendular/contact/grain_rows.hpp>
 #include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
@@ -20,19 +21,6 @@
 
 namespace pendular {
 
-/// What a pair does to its grains, in one cache line: the second phase meets the pairs of a grain in no order.
-template <bool Rotates>
-struct pair_action {
-  vector force;  // on the first grain, N
-  double gap;    // m
-};
-template <>
-struct alignas(64) pair_action<true> {
-  vector force;   // on the first grain, N
-  double gap;     // m
-  vector torque;  // per lever arm, N; the same for both grains
-};
-
 /// First phase of a step: composed laws over all listed pairs, a block at a time, results stored per pair.
 template <class Material, class Bonds>
 class pair_contacts {
@@ -40,6 +28,7 @@ class pair_contacts {
                 "a viscous bridge needs grains with friction, which alone can turn (docs/reference/liquid.md)");
 
  public:
+  static constexpr bool rotates = Material::has_friction;
   static constexpr bool wet = !std::is_same_v<Bonds, no_bonds>;
   static constexpr bool turns_across_gaps = Bonds::is_viscous;
   template <class T>
@@ -47,7 +36,9 @@ class pair_contacts {
 
   void carry(std::span<const std::int32_t> origin, std::size_t rows) {
     memory_.carry(origin, rows);
-    actions_.assign(rows, {});
+    forces_.assign(rows, {});
+    if constexpr (rotates) turns_.assign(rows, {});
+    busy_.assign(rows / lane_count, in_contact);
     gaps_.carry(origin, rows);
     work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
@@ -57,10 +48,11 @@ class pair_contacts {
   contact_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
                             const contact_clock& clock) {
     gaps_.turn();
+    rows_.fill(g);
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       contact_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
-        evaluate_block(g, list, material, bonds, clock, p, found);
+        evaluate_block(list, material, bonds, clock, p, found);
       }
       findings_[c] = found;
     });
@@ -78,10 +70,13 @@ class pair_contacts {
     for (std::size_t p = 0; p < view.pairs; ++p) gaps_.recall(p, view.gap(p));
   }
 
-  const pair_action<Material::has_friction>& action(std::size_t p) const { return actions_[p]; }
-
   /// Force on the first grain of a pair, N.
-  const vector& force(std::size_t p) const { return actions_[p].force; }
+  vector force(std::size_t p) const { return {forces_[p].a, forces_[p].b, forces_[p].c}; }
+
+  /// Force on the first grain of a pair, N; 1 where it touches, else 0.
+  const quad& push(std::size_t p) const { return forces_[p]; }
+  /// Torque per lever arm, N, the same for both grains; gap, m.
+  const quad& turn(std::size_t p) const { return turns_[p]; }
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
@@ -90,34 +85,38 @@ class pair_contacts {
 
  private:
   static constexpr std::size_t chunk = work_sums::chunk;
+  static constexpr char idle = 0, bridging = 1, in_contact = 2;
 
-  template <class Grains>
-  static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, double time_step) {
-    const auto* position = g.template get<column::position>().data();
-    const auto* velocity = g.template get<column::velocity>().data();
-    const auto* radius = g.template get<column::radius>().data();
-    const auto* inverse_mass = g.template get<column::inverse_mass>().data();
-    const Vec3<block> branch = gather(position, j) - gather(position, i);
+  struct closeness {
+    Vec3<block> normal;
+    block gap, radius_i, radius_j;
+  };
+
+  static closeness look(const grain_rows<rotates>& g, const std::int32_t* i, const std::int32_t* j) {
+    const quad_block from = gather(g.places(), i), to = gather(g.places(), j);
+    const Vec3<block> branch{to.a - from.a, to.b - from.b, to.c - from.c};
     const block distance = norm(branch);
-    const block radius_i = gather(radius, i), radius_j = gather(radius, j);
-    const block inverse_i = gather(inverse_mass, i), inverse_j = gather(inverse_mass, j);
-    const block reduced_mass = 1.0 / (inverse_i + inverse_j);
+    return {block(1.0 / distance) * branch, distance - from.d - to.d, from.d, to.d};
+  }
+
+  static encounter<block> meet(const grain_rows<rotates>& g, const std::int32_t* i, const std::int32_t* j,
+                               const closeness& c, double time_step) {
+    const quad_block motion_i = gather(g.motions(), i), motion_j = gather(g.motions(), j);
+    const block reduced_mass = 1.0 / (motion_i.d + motion_j.d);
     encounter<block> e;
-    e.normal = block(1.0 / distance) * branch;
-    e.velocity = gather(velocity, i) - gather(velocity, j);
-    const block gap = distance - radius_i - radius_j;
-    e.approaching = {gap, dot(e.velocity, e.normal), reduced_mass, radius_i, radius_j};
-    if constexpr (Material::has_friction) {
-      const auto* spin = g.template get<column::angular_velocity>().data();
-      const Vec3<block> spin_i = gather(spin, i), spin_j = gather(spin, j);
-      const block lever_i = radius_i + 0.5 * gap, lever_j = radius_j + 0.5 * gap;
+    e.normal = c.normal;
+    e.velocity = {motion_i.a - motion_j.a, motion_i.b - motion_j.b, motion_i.c - motion_j.c};
+    e.approaching = {c.gap, dot(e.velocity, e.normal), reduced_mass, c.radius_i, c.radius_j};
+    if constexpr (rotates) {
+      const quad_block turn_i = gather(g.turns(), i), turn_j = gather(g.turns(), j);
+      const Vec3<block> spin_i{turn_i.a, turn_i.b, turn_i.c}, spin_j{turn_j.a, turn_j.b, turn_j.c};
+      const block lever_i = c.radius_i + 0.5 * c.gap, lever_j = c.radius_j + 0.5 * c.gap;
       e.rolling = cross(lever_i * spin_i + lever_j * spin_j, e.normal);
       e.twist = (0.5 * time_step) * dot(spin_i + spin_j, e.normal);
       e.tangential_mass = (2.0 / 7.0) * reduced_mass;
       e.contacts = block(1);
       if constexpr (Material::counts_contacts) {
-        const auto* contacts = g.template get<column::contacts>().data();
-        const block weighted = gather(contacts, i) * inverse_i + gather(contacts, j) * inverse_j;
+        const block weighted = turn_i.d * motion_i.d + turn_j.d * motion_j.d;
         e.contacts = max(block(weighted * reduced_mass), block(1));
       }
     }
@@ -125,47 +124,70 @@ class pair_contacts {
   }
 
   // Flattened, because a block passed to a function that is not inlined goes through memory.
-  template <class Grains>
-  PENDULAR_FLATTEN void evaluate_block(const Grains& g, const pair_list& list, const Material& material,
-                                       const Bonds& bonds, const contact_clock& clock, std::size_t p,
-                                       contact_findings& found) {
-    const encounter<block> e = meet(g, list.first().data() + p, list.second().data() + p, clock.time_step);
+  PENDULAR_FLATTEN void evaluate_block(const pair_list& list, const Material& material, const Bonds& bonds,
+                                       const contact_clock& clock, std::size_t p, contact_findings& found) {
+    const std::int32_t *i = list.first().data() + p, *j = list.second().data() + p;
+    const closeness c = look(rows_, i, j);
+    bool bonded = false;
+    if constexpr (wet) {
+      bonded = bonds.any_bonded(p);
+      found.liquid_event |= bonds.has_event(p, c.gap, gaps_.before(p, c.gap));
+    }
+    gaps_.put(p, c.gap);
+    char& busy = busy_[p / lane_count];
+    const bool touching = !(c.gap.minCoeff() >= 0);  // also if it is no number
+    const bool dragging = touching || (Bonds::is_viscous && bonded);
+    if (dragging || busy == in_contact) {
+      busy = dragging || !clock.moving ? in_contact : bridging;  // once more, so that what contacts remember is cleared
+      evaluate_contacts(meet(rows_, i, j, c, clock.time_step), list, material, bonds, clock, p, found);
+    } else {
+      found.trouble |= !std::isfinite(c.gap.sum());
+      if (bonded || busy != idle) evaluate_bridges(c, bonds, p, bonded, found);
+      busy = bonded ? bridging : idle;
+    }
+  }
+
+  /// Nobody touches and nobody did in the last step: what is left is the pull of bridges, if any.
+  void evaluate_bridges(const closeness& c, const Bonds& bonds, std::size_t p, bool bonded, contact_findings& found) {
+    block pull = block::Zero();
+    if constexpr (wet) {
+      if (bonded) pull = bonds.attraction(p, c.gap);
+    }
+    const Vec3<block> force = pull * c.normal;
+    store_force(p, c.gap, force);
+    if constexpr (rotates) store(turns_.data() + p, {block::Zero(), block::Zero(), block::Zero(), c.gap});
+    found.trouble |= !std::isfinite((force.x + force.y + force.z).sum());
+  }
+
+  void evaluate_contacts(const encounter<block>& e, const pair_list& list, const Material& material, const Bonds& bonds,
+                         const contact_clock& clock, std::size_t p, contact_findings& found) {
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
     contact_force<block> f = touch(material, e, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(p, remembered);
     block pull = block::Zero();
-    if constexpr (wet) {
-      pull = add_bridges(bonds, p, e, f);
-      found.liquid_event |= bonds.has_event(p, gap, gaps_.before(p, gap));
-    }
+    if constexpr (wet) pull = add_bridges(bonds, p, e, f);
     const block push = f.push - pull;
     const Vec3<block> force = f.traction - push * e.normal;
-    store_results(p, gap, force, e.normal, f.traction);
+    store_force(p, gap, force);
+    if constexpr (rotates) {
+      const Vec3<block> torque = cross(e.normal, f.traction);
+      store(turns_.data() + p, {torque.x, torque.y, torque.z, gap});
+    }
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
     found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) ||
                      !std::isfinite((gap + force.x + force.y + force.z).sum());
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 
-  void store_results(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& normal,
-                     const Vec3<block>& traction) {
-    gaps_.put(p, gap);
-    for (int k = 0; k < lane_count; ++k) {
-      auto& action = actions_[p + static_cast<std::size_t>(k)];
-      action.force = {force.x(k), force.y(k), force.z(k)};
-      action.gap = gap(k);
-    }
-    if constexpr (Material::has_friction) {
-      const Vec3<block> torque = cross(normal, traction);
-      for (int k = 0; k < lane_count; ++k) {
-        actions_[p + static_cast<std::size_t>(k)].torque = {torque.x(k), torque.y(k), torque.z(k)};
-      }
-    }
+  void store_force(std::size_t p, const block& gap, const Vec3<block>& force) {
+    store(forces_.data() + p, {force.x, force.y, force.z, unit_step(block(-gap))});
   }
 
   scalar_table<memory> memory_;
-  std::vector<pair_action<Material::has_friction>> actions_;
+  grain_rows<rotates> rows_;
+  std::vector<quad> forces_, turns_;
+  std::vector<char> busy_;  // per block: the most that one of its pairs did in the last step
   gap_record<Bonds::forms_on_closing> gaps_;
   work_sums_if<Material::keeps_energy_book> work_;
   std::vector<contact_findings> findings_;

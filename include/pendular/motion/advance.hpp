@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/core/parallel.hpp>
+#include <pendular/core/quad.hpp>
 #include <pendular/space/grains.hpp>
 #include <pendular/space/pair_list.hpp>
 
@@ -65,25 +66,31 @@ bool predict(Grains& g, const Integration& integrator, std::span<const vector> l
 }
 
 namespace detail {
-/// Sum over the pairs of a grain, in the order of the partners' ids.
+/// Sum over the pairs of a grain, in the order of the partners' ids. A pair that does not act adds zeros.
 struct pair_sum {
   vector force, torque;
   double contacts;
 };
 
 template <class Grains, class Contacts>
-pair_sum sum_pairs(const pair_list& list, const Contacts& contacts, std::size_t row, double radius, pair_sum sum) {
+pair_sum sum_pairs(const pair_list& list, const Contacts& contacts, std::size_t row, double radius,
+                   const pair_sum& start) {
+  four_doubles force{start.force.x, start.force.y, start.force.z, start.contacts};
+  four_doubles torque{start.torque.x, start.torque.y, start.torque.z, 0};
+  four_doubles term;
   for (const auto& incidence : list.pairs_of(row)) {
     const auto p = static_cast<std::size_t>(incidence.pair);
-    const auto& action = contacts.action(p);
-    sum.force += static_cast<double>(incidence.sign) * action.force;
+    const double sign = incidence.sign;
+    read(term, contacts.push(p));
+    force += four_doubles{sign, sign, sign, 1} * term;
     if constexpr (Grains::rotate) {
-      const bool touching = action.gap < 0;
-      if (Contacts::turns_across_gaps || touching) sum.torque += (radius + 0.5 * action.gap) * action.torque;
-      if (touching) sum.contacts += 1;
+      const quad& turn = contacts.turn(p);
+      const double lever = radius + 0.5 * turn.d;
+      read(term, turn);
+      torque += four_doubles{lever, lever, lever, 0} * term;
     }
   }
-  return sum;
+  return {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}, force[3]};
 }
 }  // namespace detail
 

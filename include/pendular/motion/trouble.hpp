@@ -55,7 +55,7 @@ template <class Grains, class Contacts>
   for (std::size_t p = 0; p < list.size(); ++p) {
     const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
     const double smaller = std::min(radius[i], radius[j]);
-    const vector& force = contacts.force(p);
+    const vector force = contacts.force(p);
     if (gap[p] > -overlap_limit * smaller && std::isfinite(dot(force, force))) continue;
     if (!std::isfinite(gap[p])) {
       throw run_error(detail::at_step(id[i], step) + " and grain " + std::to_string(id[j]) +

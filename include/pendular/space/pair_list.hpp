@@ -6,6 +6,7 @@
 #include <pendular/space/cell_grid.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,15 +36,16 @@ class pair_list {
   }
 
   /// Makes the list for grains already stored in the order of the grid. `came_from[row]` is the row a grain had in
-  /// the list before; the answer tells for every pair which pair of the old list it was, or -1.
+  /// the list before; the answer tells for every pair which pair of the old list it was, or -1. Within a chunk of grains
+  /// touching pairs come first, then those with a gap below `reach`, then the rest: so most blocks are of one kind.
   std::vector<std::int32_t> rebuild(std::span<const vector> positions, std::span<const double> radii,
                                     std::span<const std::int64_t> ids, const cell_grid& grid, double range,
-                                    std::span<const std::size_t> came_from) {
+                                    double reach, std::span<const std::size_t> came_from) {
     const std::vector<incidence> old_incidences = std::move(incidences_);
     const std::vector<std::size_t> old_start = std::move(start_);
     const std::vector<std::int64_t> old_partner = std::move(partner_id_);
     range_ = range;
-    find_pairs(positions, radii, ids, grid);
+    find_pairs(positions, radii, ids, grid, reach);
     list_incidences(ids);
 
     std::vector<std::int32_t> origin(size_, -1);
@@ -67,29 +69,33 @@ class pair_list {
   static constexpr std::size_t chunk = 256;
 
   void find_pairs(std::span<const vector> positions, std::span<const double> radii, std::span<const std::int64_t> ids,
-                  const cell_grid& grid) {
+                  const cell_grid& grid, double reach) {
     const std::vector<std::size_t> starts = grid.starts();
-    std::vector<std::vector<std::int32_t>> found(chunk_count(positions.size(), chunk));
+    std::vector<std::array<std::vector<std::int32_t>, 3>> found(chunk_count(positions.size(), chunk));
     for_chunks(positions.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       for (std::size_t a = begin; a < end; ++a) {
         grid.for_neighbours(positions[a], [&](std::size_t from_cell, std::size_t to_cell) {
           for (std::size_t b = std::max(starts[from_cell], a + 1); b < starts[to_cell + 1]; ++b) {
             const vector d = positions[b] - positions[a];
-            const double reach = radii[a] + radii[b] + range_;
-            if (dot(d, d) > reach * reach) continue;
+            const double touch = radii[a] + radii[b], square = dot(d, d);
+            const auto farther = [&](double gap) { return square > (touch + gap) * (touch + gap); };
+            if (farther(range_)) continue;
             const bool in_order = ids[a] < ids[b];
-            found[c].push_back(static_cast<std::int32_t>(in_order ? a : b));
-            found[c].push_back(static_cast<std::int32_t>(in_order ? b : a));
+            auto& kind = found[c][farther(reach) ? 2 : farther(0) ? 1 : 0];
+            kind.push_back(static_cast<std::int32_t>(in_order ? a : b));
+            kind.push_back(static_cast<std::int32_t>(in_order ? b : a));
           }
         });
       }
     });
     first_.clear();
     second_.clear();
-    for (const auto& part : found) {
-      for (std::size_t k = 0; k < part.size(); k += 2) {
-        first_.push_back(part[k]);
-        second_.push_back(part[k + 1]);
+    for (const auto& kinds : found) {
+      for (const auto& part : kinds) {
+        for (std::size_t k = 0; k < part.size(); k += 2) {
+          first_.push_back(part[k]);
+          second_.push_back(part[k + 1]);
+        }
       }
     }
     size_ = first_.size();

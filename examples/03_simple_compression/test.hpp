@@ -9,6 +9,7 @@
 #include <pendular/law/capillary/richefeu_harmonic.hpp>
 #include <pendular/law/rupture/lian.hpp>
 #include <pendular/liquid/protocol/all.hpp>
+#include <pendular/liquid/protocol/one_of.hpp>
 #include <pendular/scene/simple_compression.hpp>
 
 #include <algorithm>
@@ -145,16 +146,29 @@ void run(const options& o, const Material& m, const Liquid& l, const restart& fr
               boundary::get<1>(scene.sample().walls()).shape.point.z);
 }
 
+/// Liquid of a broken bridge stays on its grains: `protocol::none` as one of several.
+struct stay_on_grains {
+  double offer(const bond_side&) const { return 0; }
+  double merge(double, double) const { return 0; }
+  double settle(double, double) const { return 0; }
+  double pull(const bond_side&, double) const { return 0; }
+};
+
+using local_protocol = protocol::one_of<protocol::neighbours, protocol::grain_films, protocol::gravity, stay_on_grains>;
+
+inline local_protocol chosen_protocol(const options& o) {
+  if (o.protocol == "neighbours") return local_protocol(protocol::neighbours{});
+  if (o.protocol == "grain-films") return local_protocol(protocol::grain_films{});
+  if (o.protocol == "gravity") return local_protocol(protocol::gravity{});
+  return local_protocol(stay_on_grains{});
+}
+
 template <class Material, class Law, class Rupture>
 void with_law(const options& o, const Material& m, const Law& law, const Rupture& rupture, const restart& from,
               const scene::monitor& watch) {
   const auto go = [&](const auto& protocol) { run(o, m, liquid{water(o), law, rupture, protocol}, from, watch); };
-  if (o.protocol == "homogeneous")
-    return go(protocol::homogeneous{std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step))});
-  if (o.protocol == "neighbours") return go(protocol::neighbours{});
-  if (o.protocol == "grain-films") return go(protocol::grain_films{});
-  if (o.protocol == "gravity") return go(protocol::gravity{});
-  go(protocol::none{});
+  if (o.protocol != "homogeneous") return go(chosen_protocol(o));
+  go(protocol::homogeneous{std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step))});
 }
 
 /// Every law and protocol with one friction law.

@@ -4,6 +4,8 @@
 #include "../catch.hpp"
 #include "hand_made.hpp"
 
+#include <pendular/liquid/protocol/one_of.hpp>
+
 #include <cmath>
 
 using namespace pendular;
@@ -81,6 +83,24 @@ TEST_CASE("the side of a bond knows the height of its contact point") {
   const bond_side s = v.side(0, 1, true);
   CHECK((s.own_radius == 2 && s.partner_radius == 1 && s.partner == 0 && s.forming));
   CHECK_FALSE(v.side(0, 0, false).forming);
+}
+
+TEST_CASE("a protocol chosen at run time does what it does chosen at compile time") {
+  using any = protocol::one_of<protocol::neighbours, protocol::grain_films, protocol::gravity>;
+  static_assert(LocalProtocol<any> && any::needs_gravity);
+  const packing c = chain();
+  const auto settled = [&](const auto& p) {
+    auto b = bonds_of(wet(volume_is_distance{}, p), c, {0.1, 0.3, 0.0}, {0.02, 0.01, 0.03, 0.04});
+    c.settle(b, chain_gaps);
+    std::vector<double> found(b.book().bonds().begin(), b.book().bonds().end());
+    found.insert(found.end(), b.book().films().begin(), b.book().films().end());
+    return found;
+  };
+  const auto check = [&](const auto& p) { CHECK(settled(any(p)) == settled(p)); };
+  check(protocol::neighbours{});
+  check(protocol::grain_films{});
+  check(protocol::gravity{});
+  CHECK(settled(protocol::neighbours{}) != settled(protocol::grain_films{}));
 }
 
 TEST_CASE("a broken bridge is split in proportion to the diameters, and stays on the grains without a protocol") {

@@ -296,10 +296,20 @@ class system {
         cell_grid(grains_.template get<column::position>(), edge).order(grains_.template get<column::id>());
     grains_.permute(order);
     const auto position = grains_.template get<column::position>();
-    const auto origin = list_.rebuild(position, grains_.template get<column::radius>(),
-                                      grains_.template get<column::id>(), cell_grid(position, edge), range, range - skin_, order);
+    const auto origin =
+        list_.rebuild(position, grains_.template get<column::radius>(), grains_.template get<column::id>(),
+                      cell_grid(position, edge), range, range - skin_, order);
     contacts_.carry(origin, list_.padded_size());
-    auto bond_origin = origin;
+    relist_walls(origin, order, range);
+    listed_at_.assign(position.begin(), position.end());
+    wall_travel_ = 0;
+    stale_ = false;
+    ++rebuilds_;
+  }
+
+  /// The grains near every wall, and the rows of the bonds behind pairs and walls.
+  void relist_walls(const std::vector<std::int32_t>& pair_origin, const std::vector<std::size_t>& order, double range) {
+    auto bond_origin = pair_origin;
     bond_origin.resize(list_.padded_size(), -1);
     for_each_wall([&](const auto& wall, auto& contacts) {
       constexpr bool carries_bridges = std::remove_cvref_t<decltype(contacts)>::carries_bridges;
@@ -310,10 +320,6 @@ class system {
       bonds_.book().permute_films(order);
       bonds_.carry(bond_origin, view());
     }
-    listed_at_.assign(position.begin(), position.end());
-    wall_travel_ = 0;
-    stale_ = false;
-    ++rebuilds_;
   }
 
   void redistribute() requires(!std::is_same_v<Liquid, dry>) {

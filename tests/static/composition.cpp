@@ -77,7 +77,8 @@ static_assert(numbers_per_bond<capillary::richefeu> == 2 && numbers_per_bond<tes
 
 // Sums of work are kept where they are asked for.
 static_assert(booked::keeps_energy_book && !frictionless::keeps_energy_book);
-static_assert(std::is_same_v<work_sums_of<booked>, work_sums> && std::is_empty_v<work_sums_of<frictionless>>);
+static_assert(std::is_same_v<work_sums_if<booked::keeps_energy_book>, work_sums> &&
+              std::is_empty_v<work_sums_if<false>>);
 static_assert(sizeof(scene<frictionless, dry>) < sizeof(scene<booked, dry>));
 static_assert(std::is_same_v<booked::normal_law, spring> && !booked::has_friction);
 

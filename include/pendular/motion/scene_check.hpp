@@ -49,8 +49,8 @@ scene_limit bridge_softness_limit(const Material& material, const pair_view& vie
     const bridge<double> closed = view.bridge_of(p, 0, b.book().bonds()[p]);
     const auto c = prepare(b.policies().law(), closed, b.policies().substance());
     const double pull = attraction(b.policies().law(), 0.0, c, b.policies().substance());
-    const double radius = std::min(closed.radius_i, closed.radius_j);
-    const scene_limit here = softness_limit(material, "the capillary force", pull, radius, view.id[view.grain_i(p)]);
+    const double smaller = std::min(closed.radius_i, closed.radius_j);
+    const scene_limit here = softness_limit(material, "the capillary force", pull, smaller, view.ids(p).first);
     if (here.value > worst.value) worst = here;
   });
   return worst;

@@ -3,6 +3,7 @@
 
 #include <pendular/law/concepts.hpp>
 #include <pendular/observe/indices.hpp>
+#include <pendular/observe/pairs_in_order.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <range/v3/numeric/accumulate.hpp>
@@ -36,9 +37,9 @@ struct energies {
 };
 
 namespace detail {
-template <class Term>
-double sum(std::size_t count, const Term& term) {
-  return ::ranges::accumulate(indices(count) | ::ranges::views::transform(term), 0.0);
+template <class Rows, class Term>
+double sum(const Rows& rows, const Term& term) {
+  return ::ranges::accumulate(rows | ::ranges::views::transform(term), 0.0);
 }
 
 template <class System>
@@ -47,38 +48,42 @@ void add_motion(const System& s, energies& e) {
   const auto velocity = g.template get<column::velocity>();
   const auto position = g.template get<column::position>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
-  e.kinetic = sum(g.size(), [&](std::size_t k) { return 0.5 / inverse_mass[k] * dot(velocity[k], velocity[k]); });
-  e.gravity = sum(g.size(), [&](std::size_t k) { return -dot(position[k], s.integrator().gravity) / inverse_mass[k]; });
+  e.kinetic =
+      sum(indices(g.size()), [&](std::size_t k) { return 0.5 / inverse_mass[k] * dot(velocity[k], velocity[k]); });
+  e.gravity = sum(indices(g.size()),
+                  [&](std::size_t k) { return -dot(position[k], s.integrator().gravity) / inverse_mass[k]; });
   if constexpr (System::grains_type::rotate) {
     const auto spin = g.template get<column::angular_velocity>();
     const auto inverse_inertia = g.template get<column::inverse_inertia>();
-    e.kinetic += sum(g.size(), [&](std::size_t k) { return 0.5 / inverse_inertia[k] * dot(spin[k], spin[k]); });
+    e.kinetic +=
+        sum(indices(g.size()), [&](std::size_t k) { return 0.5 / inverse_inertia[k] * dot(spin[k], spin[k]); });
   }
 }
 
-template <class Material, class Memories>
-void add_springs(const Material& m, const Memories& memories, std::size_t count, energies& e) {
+template <class Material, class Memories, class Rows>
+void add_springs(const Material& m, const Memories& memories, const Rows& rows, energies& e) {
   if constexpr (requires { m.friction().energy(memories.row(0)); }) {
-    e.friction_springs += sum(count, [&](std::size_t p) { return m.friction().energy(memories.row(p)); });
+    e.friction_springs += sum(rows, [&](std::size_t p) { return m.friction().energy(memories.row(p)); });
   }
 }
 
 template <class System>
 void add_pairs(const System& s, energies& e) {
   const auto view = s.view();
+  const auto pairs = pairs_in_order(s);
   const auto gap = s.contacts().gap();
   const auto inverse_mass = s.particles().template get<column::inverse_mass>();
   const auto& m = s.contact_material();
   if constexpr (requires(approach<double> a) { m.normal().energy(a); }) {
-    e.elastic += sum(view.pairs, [&](std::size_t p) {
+    e.elastic += sum(pairs, [&](std::size_t p) {
       const double reduced = 1 / (inverse_mass[view.grain_i(p)] + inverse_mass[view.grain_j(p)]);
       return m.normal().energy(
           approach<double>{gap[p], 0, reduced, view.radius[view.grain_i(p)], view.radius[view.grain_j(p)]});
     });
   }
-  add_springs(m, s.contacts().memories(), view.pairs, e);
+  add_springs(m, s.contacts().memories(), pairs, e);
   if constexpr (System::wet) {
-    e.capillary = -sum(view.pairs, [&](std::size_t p) { return s.bridges().energy(p, gap[p], view); });
+    e.capillary = -sum(pairs, [&](std::size_t p) { return s.bridges().energy(p, gap[p], view); });
     e.liquid = s.bridges().work();
   }
 }
@@ -91,16 +96,16 @@ void add_walls(const System& s, energies& e) {
     e.walls += wall.work;
     const auto& m = s.material_of(wall);
     if constexpr (requires(approach<double> a) { m.normal().energy(a); }) {
-      e.elastic += sum(contacts.size(), [&](std::size_t k) {
+      e.elastic += sum(indices(contacts.size()), [&](std::size_t k) {
         const std::size_t row = contacts.row(k);
         return m.normal().energy(approach<double>{contacts.gap(k), 0, 1 / inverse_mass[row], radius[row],
                                                   std::numeric_limits<double>::infinity()});
       });
     }
-    add_springs(m, contacts.memories(), contacts.size(), e);
+    add_springs(m, contacts.memories(), indices(contacts.size()), e);
     if constexpr (std::remove_cvref_t<decltype(contacts)>::carries_bridges) {
       const auto view = s.view();
-      e.capillary -= sum(contacts.size(), [&](std::size_t k) {
+      e.capillary -= sum(indices(contacts.size()), [&](std::size_t k) {
         return s.bridges().energy(contacts.bond_row(k), contacts.gap(k), view);
       });
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pendular/core/vec.hpp>
-#include <pendular/observe/indices.hpp>
+#include <pendular/observe/pairs_in_order.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <Eigen/Core>
@@ -24,9 +24,10 @@ Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
     // The force on grain i points along -branch in compression.
     return -as_eigen(s.contacts().force(p)) * as_eigen(branch).transpose();
   };
+  const auto pairs = pairs_in_order(s);
   const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
   const Eigen::Matrix3d sum =
-      ::ranges::accumulate(indices(view.pairs) | ::ranges::views::transform(moment), zero,
+      ::ranges::accumulate(pairs | ::ranges::views::transform(moment), zero,
                            [](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) -> Eigen::Matrix3d { return a + b; });
   return sum / volume;
 }

@@ -2,10 +2,12 @@
 // Forces and torques of listed pairs, and what moving them does to the grains, in numbers worked out by hand.
 #include "../catch.hpp"
 
+#include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
 #include <pendular/law/friction/viscous_coulomb.hpp>
 #include <pendular/law/normal/linear.hpp>
+#include <pendular/law/rupture/lian.hpp>
 #include <pendular/system.hpp>
 
 #include <cmath>
@@ -46,6 +48,27 @@ TEST_CASE("the dashpot takes the reduced mass and the closing speed") {
   s.start();
   CHECK(s.contacts().force(0).x == within(1e-12, -(30 + 15 * 0.4)));
   CHECK(s.contacts().force(0).y == 0);
+}
+
+TEST_CASE("a friction spring is gone once its contact has opened, also if the forces were only looked at meanwhile") {
+  for (const bool looked_at : {false, true}) {
+    pendular::system s{material{normal::linear{100}, friction::coulomb_spring{1000, 0.5}},
+                       liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}}, boundary::walls{},
+                       velocity_verlet{1e-3}, unchecked};
+    s.add({{0, 0, 0}, 1, kilogram, {0, 1, 0}});
+    s.add({{1.99, 0, 0}, 1, kilogram});
+    s.run(3);
+    REQUIRE(s.contacts().gap()[0] < 0);
+    REQUIRE(norm(s.contacts().memories().row(0).elastic_force) > 0);
+    s.particles().get<column::position>()[1].x += 0.05;  // apart, within the skin
+    if (looked_at) s.distribute_liquid(0);
+    s.run(1);
+    REQUIRE(s.contacts().gap()[0] > 0);
+    CHECK(norm(s.contacts().memories().row(0).elastic_force) == 0);
+    CHECK(s.contacts().force(0) == vector{0, 0, 0});
+    s.run(5);
+    CHECK(s.particles().get<column::torque>()[0] == vector{0, 0, 0});
+  }
 }
 
 TEST_CASE("friction opposes slip and turns both grains the same way") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ns per grain and step of the scenes that the performance page compares.
 #include "packing.hpp"
+#include "stopwatch.hpp"
 
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
@@ -8,14 +9,11 @@
 #include <pendular/law/rupture/lian.hpp>
 #include <pendular/liquid/protocol/homogeneous.hpp>
 
-#include <chrono>
 #include <string>
 
 using namespace pendular;
 
 namespace {
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 template <class Make>
 void measure(const std::string& name, const packing::sample& sample, int steps, const Make& make) {
   auto s = make(packing::box_of(sample.size, boundary::fixed{}));
@@ -27,9 +25,7 @@ void measure(const std::string& name, const packing::sample& sample, int steps, 
   }
   s.run(steps / 4);
   const auto rebuilds = s.rebuild_count();
-  const double began = seconds();
-  s.run(steps);
-  const double each = 1e9 * (seconds() - began) / steps / static_cast<double>(sample.grains.size());
+  const double each = 1e9 * timed([&] { s.run(steps); }) / steps / static_cast<double>(sample.grains.size());
   double bonds = 0;
   if constexpr (decltype(s)::wet) bonds = static_cast<double>(s.bridges().count());
   const double n = static_cast<double>(sample.grains.size());

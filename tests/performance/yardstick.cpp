@@ -3,6 +3,7 @@
 // grains end.
 #include "yardstick.hpp"
 #include "packing.hpp"
+#include "stopwatch.hpp"
 
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/friction/viscous_coulomb.hpp>
@@ -10,21 +11,11 @@
 #include <pendular/liquid/protocol/none.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 
 using namespace pendular;
 
 namespace {
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-template <class Work>
-double timed(const Work& work) {
-  const double began = seconds();
-  work();
-  return seconds() - began;
-}
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];

@@ -30,7 +30,6 @@ class pair_contacts {
  public:
   static constexpr bool rotates = Material::has_friction;
   static constexpr bool wet = !std::is_same_v<Bonds, no_bonds>;
-  static constexpr bool turns_across_gaps = Bonds::is_viscous;
   template <class T>
   using memory = typename Material::template memory<T>;
 

@@ -17,8 +17,8 @@ namespace pendular::capillary {
 /// P a polynomial of degree 7 whose coefficients are prepared per bond. Made as `capillary::laplace_young{water}`, and to
 /// be used with `rupture::laplace_young{water}`; both take the contact angle of their fluid for good.
 /// Units: N from N/m, m, m3. Within 1e-4 of 2 pi gamma R_h at equal s = sqrt(1 - D/D_r) for V_b/R^3 in [1e-6, 0.3],
-/// size ratios to 10 and the plane, theta to 60 degrees; 5e-4 for ratios below 1.06 between 25 and 35 degrees, where equal spheres
-/// begin to break by the antisymmetric mode (docs/reference/laplace_young.md). Beyond these volumes and ratios P is that
+/// size ratios to 10 and the plane, theta to 60 degrees; 5e-4 for ratios below 1.06 between 25 and 35 degrees, where
+/// equal spheres begin to break by the antisymmetric mode (docs/reference/laplace_young.md). Beyond these volumes and ratios P is that
 /// of the bound.
 /// Source: the solver of this library, laplace_young/solve.hpp.
 class laplace_young {
@@ -163,8 +163,8 @@ class laplace_young {
 namespace pendular::rupture {
 
 /// The gap at which a bridge loses its stability at fixed volume by Laplace-Young, antisymmetric modes included.
-/// Units: m. Relative error 1e-6 for V_b/R^3 in [1e-6, 0.3], size ratios to 10 and the plane, theta to 60 degrees; 2e-5 for nearly equal
-/// spheres between 25 and 35 degrees. Beyond, V_b^{1/3} times the value at the bound.
+/// Units: m. Relative error 1e-6 for V_b/R^3 in [1e-6, 0.3], size ratios to 10 and the plane, theta to 60 degrees; 2e-5
+/// for nearly equal spheres between 25 and 35 degrees. Beyond, V_b^{1/3} times the value at the bound.
 /// Source: the solver of this library, laplace_young/solve.hpp.
 class laplace_young {
  public:

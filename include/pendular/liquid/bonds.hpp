@@ -67,9 +67,12 @@ class bonds {
 
   /// Pull of a block of pairs, N, zero for pairs without a bridge and beyond rupture.
   block attraction(std::size_t first_pair, const block& gap) const {
-    const block alive = unit_step(block(load(breaks_above_.data() + first_pair) - gap));
-    const auto c = coefficients_.load_block(first_pair);
-    const block pull = pendular::attraction(liquid_.law(), gap, c, liquid_.substance());
+    const block ceiling = load(breaks_above_.data() + first_pair);
+    const block alive = unit_step(block(ceiling - gap));
+    // A lane without a bridge is evaluated too, at gap 0 of a bridge of size 1, and multiplied by zero.
+    const block asked = gap.min(ceiling.max(0.0));
+    const block pull =
+        pendular::attraction(liquid_.law(), asked, coefficients_.load_block(first_pair), liquid_.substance());
     return pull * alive;
   }
 
@@ -205,7 +208,7 @@ class bonds {
 
   Liquid liquid_;
   ledger ledger_;
-  coefficients<double> idle_;  // an idle lane is evaluated too and multiplied by zero: its pull must be finite
+  coefficients<double> idle_;  // of a bridge between grains of radius 1, where there is none
   scalar_table<coefficients> coefficients_;
   std::vector<double> breaks_above_, forms_below_;
   double work_ = 0;

@@ -14,7 +14,8 @@ namespace pendular::capillary {
 ///     c = 1 + theta (-1.78 v^0.8351 + 0.6669 v^-0.01391) + theta^3 (-0.007815 ln^2 v - 0.2105 ln v - 1.426).
 /// c is kept above 0.05: as printed it changes sign beyond 60 degrees and the force has a pole.
 /// Units: N from N/m, m, m3 and rad. Against Laplace-Young at theta = 0 within 0.5 % at contact, 2 % up to three quarters
-/// of the rupture distance for v from 1e-4 (5 % for 1e-5), for every size ratio; to 18 % low at 40 degrees. Never less than nothing at contact.
+/// of the rupture distance for v from 1e-4 (5 % for 1e-5), for every size ratio; to 18 % low at 40 degrees. Never less
+/// than nothing at contact.
 /// Source: M. Bagheri, S. Roy, T. Poeschel 2024, arXiv:2310.11485.
 struct bagheri {
   static constexpr validity valid{

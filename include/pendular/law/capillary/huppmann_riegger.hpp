@@ -13,7 +13,8 @@ namespace pendular::capillary {
 ///     r2 = (R (1 - cos a) + D/2) / cos p,  r1 = R sin a - r2 (1 - sin p),
 ///     f_c = 2 pi gamma R sin a sin p + pi gamma (R sin a)^2 (1/r2 - 1/r1).
 /// The volume is that of the toroid less the caps of the spheres, exactly. The angle is found by a fixed number of steps
-/// and kept so that p is below 80 degrees; a contact angle above 69 degrees counts as 69. R is the harmonic mean. Units: N from N/m, m, m3 and rad.
+/// and kept so that p is below 80 degrees; a contact angle above 69 degrees counts as 69. R is the harmonic mean.
+/// Units: N from N/m, m, m3 and rad.
 /// Source: W. J. Huppmann, H. Riegger 1975, Acta Metall. 23, 965.
 struct huppmann_riegger {
   static constexpr validity valid{1e-4, 0.1, 1.0001, 0.7};

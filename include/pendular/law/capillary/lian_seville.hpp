@@ -12,8 +12,8 @@ namespace pendular::capillary {
 ///     S = (D/D_r) (1 + theta cos(theta) cos(p + theta) / 2),  D_r/R = (1 + theta/2) (v^(1/3) + v^(2/3)/10),
 ///     f_c = gamma R (2 pi - 2.082 p^0.9197) (cos theta - 0.16 p (1 + p) tan theta)
 ///           / (1 + 0.8438 p^-0.724 S + 1.3393 p^-1.459 S^2).
-/// R is the harmonic mean; the force is never less than nothing, v never below 1e-12. Units: N from N/m, m, m3 and rad. Against Laplace-Young within 0.5 % at contact for every angle
-/// to 40 degrees; over the gap 6 % at theta = 0, 12 % at 20, 24 % at 40 up to three quarters of the rupture distance.
+/// R is the harmonic mean; the force is never less than nothing, v never below 1e-12.
+/// Units: N from N/m, m, m3 and rad. Against Laplace-Young within 0.5 % at contact for every angle to 40 degrees; over the gap 6 % at theta = 0, 12 % at 20, 24 % at 40 up to three quarters of the rupture distance.
 /// Source: G. Lian, J. Seville 2016, Adv. Colloid Interface Sci. 227, 53.
 struct lian_seville {
   static constexpr validity valid{

@@ -264,7 +264,7 @@ class system {
   }
 
   void step() {
-    stale_ |= predict(grains_, integrator_, listed_at_, 0.5 * skin_);
+    stale_ |= predict(grains_, rows_, integrator_, listed_at_, 0.5 * skin_);
     for_each_wall([&](auto& wall, auto&) {
       wall.move(integrator_.time_step);
       wall_travel_ += norm(wall.drive.velocity) * integrator_.time_step;
@@ -302,6 +302,7 @@ class system {
     contacts_.carry(origin, list_.padded_size());
     relist_walls(origin, order, range);
     listed_at_.assign(position.begin(), position.end());
+    rows_.fill(grains_);
     wall_travel_ = 0;
     stale_ = false;
     ++rebuilds_;
@@ -311,10 +312,12 @@ class system {
   void relist_walls(const std::vector<std::int32_t>& pair_origin, const std::vector<std::size_t>& order, double range) {
     auto bond_origin = pair_origin;
     bond_origin.resize(list_.padded_size(), -1);
+    loads_.relist(grains_.size());
     for_each_wall([&](const auto& wall, auto& contacts) {
       constexpr bool carries_bridges = std::remove_cvref_t<decltype(contacts)>::carries_bridges;
       const auto places = contacts.rebuild(grains_, wall, carries_bridges ? range : skin_, order);
       if constexpr (carries_bridges) contacts.take_bond_rows(places, bond_origin);
+      loads_.list(contacts);
     });
     if constexpr (wet) {
       bonds_.book().permute_films(order);
@@ -348,9 +351,10 @@ class system {
 
   void evaluate(bool moving) {
     const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
-    contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
+    if (!moving) rows_.fill(grains_);  // else the first half of the step has done it
+    contact_findings found = contacts_.evaluate(rows_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);
-    loads_.clear(grains_.size());
+    loads_.clear();
     for_each_wall([&](auto& wall, auto& contacts) {
       const contact_findings here = contacts.evaluate(grains_, wall, material_of(wall), bonds_, clock);
       if (here.trouble) report_wall_trouble(grains_, contacts, options_.overlap_limit, steps_);
@@ -375,6 +379,7 @@ class system {
   contacts_type contacts_;
   typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type wall_contacts_;
   wall_loads<grains_type> loads_;
+  grain_rows<grains_type::rotate> rows_;
   std::vector<vector> listed_at_;
   box domain_{};
   bond_selection selection_;

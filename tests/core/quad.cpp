@@ -41,3 +41,21 @@ TEST_CASE("lanes are stored as rows that follow each other, and nothing beside t
   }
   CHECK((rows[0].a == -1 && rows[0].d == -1 && rows[9].a == -1 && rows[9].d == -1));
 }
+
+TEST_CASE("two quads of every lane become one row of eight numbers") {
+  std::vector<octet> rows(9);
+  quad_block low, high;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const quad l = numbers_of(lane), h = numbers_of(100 + lane);
+    low.a(lane) = l.a, low.b(lane) = l.b, low.c(lane) = l.c, low.d(lane) = l.d;
+    high.a(lane) = h.a, high.b(lane) = h.b, high.c(lane) = h.c, high.d(lane) = h.d;
+  }
+  store(rows.data() + 1, low, high);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const octet& found = rows[static_cast<std::size_t>(lane) + 1];
+    const quad l = numbers_of(lane), h = numbers_of(100 + lane);
+    CHECK((found.low.a == l.a && found.low.b == l.b && found.low.c == l.c && found.low.d == l.d));
+    CHECK((found.high.a == h.a && found.high.b == h.b && found.high.c == h.c && found.high.d == h.d));
+  }
+  CHECK((rows[0].low.a == 0 && rows[0].high.d == 0));
+}

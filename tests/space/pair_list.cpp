@@ -209,10 +209,9 @@ TEST_CASE("the pairs of a grain are sorted by the partner's id and signed by its
     std::int64_t last = -1;
     for (const auto& n : list.pairs_of(row)) {
       const auto p = static_cast<std::size_t>(n.pair);
-      const auto own = n.sign > 0 ? list.first()[p] : list.second()[p];
-      const auto partner = n.sign > 0 ? list.second()[p] : list.first()[p];
+      const auto own = n.is_second ? list.second()[p] : list.first()[p];
+      const auto partner = n.is_second ? list.first()[p] : list.second()[p];
       REQUIRE(static_cast<std::size_t>(own) == row);
-      CHECK((n.sign == 1 || n.sign == -1));
       CHECK(c.id[static_cast<std::size_t>(partner)] > last);
       last = c.id[static_cast<std::size_t>(partner)];
       ++incidences;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/contact/action.hpp>
 #include <pendular/contact/bridge_force.hpp>
 #include <pendular/contact/clock.hpp>
 #include <pendular/contact/findings.hpp>
@@ -35,23 +36,20 @@ class pair_contacts {
 
   void carry(std::span<const std::int32_t> origin, std::size_t rows) {
     memory_.carry(origin, rows);
-    forces_.assign(rows, {});
-    if constexpr (rotates) turns_.assign(rows, {});
+    actions_.assign(rows, {});
     busy_.assign(rows / lane_count, in_contact);
     gaps_.carry(origin, rows);
     work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
   }
 
-  template <class Grains>
-  contact_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
-                            const contact_clock& clock) {
+  contact_findings evaluate(const grain_rows<rotates>& rows, const pair_list& list, const Material& material,
+                            const Bonds& bonds, const contact_clock& clock) {
     gaps_.turn();
-    rows_.fill(g);
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       contact_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
-        evaluate_block(list, material, bonds, clock, p, found);
+        evaluate_block(rows, list, material, bonds, clock, p, found);
       }
       findings_[c] = found;
     });
@@ -70,12 +68,8 @@ class pair_contacts {
   }
 
   /// Force on the first grain of a pair, N.
-  vector force(std::size_t p) const { return {forces_[p].a, forces_[p].b, forces_[p].c}; }
-
-  /// Force on the first grain of a pair, N; 1 where it touches, else 0.
-  const quad& push(std::size_t p) const { return forces_[p]; }
-  /// Torque per lever arm, N, the same for both grains; gap, m.
-  const quad& turn(std::size_t p) const { return turns_[p]; }
+  vector force(std::size_t p) const { return vector_of(push_of(actions_[p])); }
+  const action<rotates>* actions() const { return actions_.data(); }
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
@@ -123,10 +117,11 @@ class pair_contacts {
   }
 
   // Flattened, because a block passed to a function that is not inlined goes through memory.
-  PENDULAR_FLATTEN void evaluate_block(const pair_list& list, const Material& material, const Bonds& bonds,
-                                       const contact_clock& clock, std::size_t p, contact_findings& found) {
+  PENDULAR_FLATTEN void evaluate_block(const grain_rows<rotates>& rows, const pair_list& list, const Material& material,
+                                       const Bonds& bonds, const contact_clock& clock, std::size_t p,
+                                       contact_findings& found) {
     const std::int32_t *i = list.first().data() + p, *j = list.second().data() + p;
-    const closeness c = look(rows_, i, j);
+    const closeness c = look(rows, i, j);
     bool bonded = false;
     if constexpr (wet) {
       bonded = bonds.any_bonded(p);
@@ -138,7 +133,7 @@ class pair_contacts {
     const bool dragging = touching || (Bonds::is_viscous && bonded);
     if (dragging || busy == in_contact) {
       busy = dragging || !clock.moving ? in_contact : bridging;  // once more, so that what contacts remember is cleared
-      evaluate_contacts(meet(rows_, i, j, c, clock.time_step), list, material, bonds, clock, p, found);
+      evaluate_contacts(meet(rows, i, j, c, clock.time_step), list, material, bonds, clock, p, found);
     } else {
       found.trouble |= !std::isfinite(c.gap.sum());
       if (bonded || busy != idle) evaluate_bridges(c, bonds, p, bonded, found);
@@ -153,8 +148,7 @@ class pair_contacts {
       if (bonded) pull = bonds.attraction(p, c.gap);
     }
     const Vec3<block> force = pull * c.normal;
-    store_force(p, c.gap, force);
-    if constexpr (rotates) store(turns_.data() + p, {block::Zero(), block::Zero(), block::Zero(), c.gap});
+    store_action(p, c.gap, force, {block::Zero(), block::Zero(), block::Zero()});
     found.trouble |= !std::isfinite((force.x + force.y + force.z).sum());
   }
 
@@ -168,24 +162,26 @@ class pair_contacts {
     if constexpr (wet) pull = add_bridges(bonds, p, e, f);
     const block push = f.push - pull;
     const Vec3<block> force = f.traction - push * e.normal;
-    store_force(p, gap, force);
-    if constexpr (rotates) {
-      const Vec3<block> torque = cross(e.normal, f.traction);
-      store(turns_.data() + p, {torque.x, torque.y, torque.z, gap});
-    }
+    Vec3<block> torque;
+    if constexpr (rotates) torque = cross(e.normal, f.traction);
+    store_action(p, gap, force, torque);
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
     found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) ||
                      !std::isfinite((gap + force.x + force.y + force.z).sum());
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 
-  void store_force(std::size_t p, const block& gap, const Vec3<block>& force) {
-    store(forces_.data() + p, {force.x, force.y, force.z, unit_step(block(-gap))});
+  void store_action(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& torque) {
+    const quad_block push{force.x, force.y, force.z, unit_step(block(-gap))};
+    if constexpr (rotates) {
+      store(actions_.data() + p, push, {torque.x, torque.y, torque.z, gap});
+    } else {
+      store(actions_.data() + p, push);
+    }
   }
 
   scalar_table<memory> memory_;
-  grain_rows<rotates> rows_;
-  std::vector<quad> forces_, turns_;
+  std::vector<action<rotates>> actions_;
   std::vector<char> busy_;  // per block: the most that one of its pairs did in the last step
   gap_record<Bonds::forms_on_closing> gaps_;
   work_sums_if<Material::keeps_energy_book> work_;

@@ -10,8 +10,12 @@ namespace pendular {
 template <class Body>
 void for_chunks(std::size_t count, std::size_t chunk_size, const Body& body) {
   const auto chunks = static_cast<std::ptrdiff_t>((count + chunk_size - 1) / chunk_size);
+  if (chunks == 1) {
+    body(std::size_t{0}, count, std::size_t{0});  // not worth waking a thread
+    return;
+  }
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (chunks > 1)
+#pragma omp parallel for schedule(static)
 #endif
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     const std::size_t begin = static_cast<std::size_t>(c) * chunk_size;

@@ -117,7 +117,7 @@ std::size_t pair_of(const System& s, const pair_view& view, const std::vector<st
                     const std::int64_t* key) {
   for (const auto& incidence : s.pairs().pairs_of(rows.at(static_cast<std::size_t>(key[0])))) {
     const auto p = static_cast<std::size_t>(incidence.pair);
-    if (incidence.sign > 0 && view.id[view.grain_j(p)] == key[1]) return p;
+    if (!incidence.is_second && view.id[view.grain_j(p)] == key[1]) return p;
   }
   throw std::runtime_error("the checkpoint has a contact of grains " + std::to_string(key[0]) + " and " +
                            std::to_string(key[1]) + " that are not neighbours: it was written by another scene");

@@ -14,7 +14,7 @@ std::vector<std::size_t> pairs_in_order(const System& s) {
   pairs.reserve(s.pairs().size());
   for (const std::size_t row : s.particles().rows_by_id()) {
     for (const auto& incidence : s.pairs().pairs_of(row)) {
-      if (incidence.sign > 0) pairs.push_back(static_cast<std::size_t>(incidence.pair));
+      if (!incidence.is_second) pairs.push_back(static_cast<std::size_t>(incidence.pair));
     }
   }
   return pairs;

@@ -20,8 +20,8 @@ class pair_list {
  public:
   /// A pair as its grain sees it.
   struct incidence {
-    std::int32_t pair;
-    std::int32_t sign;  // +1 if the grain is `first`
+    std::uint32_t pair : 31;
+    std::uint32_t is_second : 1;
   };
 
   std::size_t size() const { return size_; }
@@ -41,25 +41,16 @@ class pair_list {
   std::vector<std::int32_t> rebuild(std::span<const vector> positions, std::span<const double> radii,
                                     std::span<const std::int64_t> ids, const cell_grid& grid, double range,
                                     double reach, std::span<const std::size_t> came_from) {
-    const std::vector<incidence> old_incidences = std::move(incidences_);
-    const std::vector<std::size_t> old_start = std::move(start_);
-    const std::vector<std::int64_t> old_partner = std::move(partner_id_);
+    const pair_list before = std::move(*this);
     range_ = range;
     find_pairs(positions, radii, ids, grid, reach);
     list_incidences(ids);
 
     std::vector<std::int32_t> origin(size_, -1);
-    if (old_start.empty()) return origin;
     for_chunks(size_, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t p = begin; p < end; ++p) {
-        const std::size_t row = came_from[static_cast<std::size_t>(first_[p])];
-        if (row + 1 >= old_start.size()) continue;
-        const auto from = old_partner.begin() + static_cast<std::ptrdiff_t>(old_start[row]);
-        const auto to = old_partner.begin() + static_cast<std::ptrdiff_t>(old_start[row + 1]);
-        const auto wanted = ids[static_cast<std::size_t>(second_[p])];
-        const auto found = std::lower_bound(from, to, wanted);
-        if (found == to || *found != wanted) continue;
-        origin[p] = old_incidences[static_cast<std::size_t>(found - old_partner.begin())].pair;
+        origin[p] = before.pair_of(came_from[static_cast<std::size_t>(first_[p])],
+                                   came_from[static_cast<std::size_t>(second_[p])]);
       }
     });
     return origin;
@@ -67,6 +58,17 @@ class pair_list {
 
  private:
   static constexpr std::size_t chunk = 256;
+
+  /// The pair of two rows, or -1.
+  std::int32_t pair_of(std::size_t row, std::size_t partner) const {
+    if (row + 1 >= start_.size()) return -1;
+    for (const incidence& n : pairs_of(row)) {
+      if (static_cast<std::size_t>((n.is_second ? first_ : second_)[n.pair]) == partner) {
+        return static_cast<std::int32_t>(n.pair);
+      }
+    }
+    return -1;
+  }
 
   void find_pairs(std::span<const vector> positions, std::span<const double> radii, std::span<const std::int64_t> ids,
                   const cell_grid& grid, double reach) {
@@ -115,10 +117,9 @@ class pair_list {
     incidences_.resize(2 * size_);
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
     for (std::size_t p = 0; p < size_; ++p) {
-      incidences_[next[static_cast<std::size_t>(first_[p])]++] = {static_cast<std::int32_t>(p), +1};
-      incidences_[next[static_cast<std::size_t>(second_[p])]++] = {static_cast<std::int32_t>(p), -1};
+      incidences_[next[static_cast<std::size_t>(first_[p])]++] = {static_cast<std::uint32_t>(p) & 0x7fffffffu, 0};
+      incidences_[next[static_cast<std::size_t>(second_[p])]++] = {static_cast<std::uint32_t>(p) & 0x7fffffffu, 1};
     }
-    partner_id_.resize(2 * size_);
     for_chunks(ids.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t row = begin; row < end; ++row) sort_by_partner(row, ids);
     });
@@ -126,13 +127,11 @@ class pair_list {
 
   void sort_by_partner(std::size_t row, std::span<const std::int64_t> ids) {
     const auto partner = [&](const incidence& i) {
-      const auto pair = static_cast<std::size_t>(i.pair);
-      return ids[static_cast<std::size_t>(i.sign > 0 ? second_[pair] : first_[pair])];
+      return ids[static_cast<std::size_t>((i.is_second ? first_ : second_)[i.pair])];
     };
     const auto from = incidences_.begin() + static_cast<std::ptrdiff_t>(start_[row]);
     const auto to = incidences_.begin() + static_cast<std::ptrdiff_t>(start_[row + 1]);
     std::sort(from, to, [&](const incidence& a, const incidence& b) { return partner(a) < partner(b); });
-    for (std::size_t k = start_[row]; k < start_[row + 1]; ++k) partner_id_[k] = partner(incidences_[k]);
   }
 
   std::size_t size_ = 0;
@@ -140,7 +139,6 @@ class pair_list {
   std::vector<std::int32_t> first_, second_;
   std::vector<std::size_t> start_;
   std::vector<incidence> incidences_;
-  std::vector<std::int64_t> partner_id_;
 };
 
 }  // namespace pendular

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/contact/action.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pendular {
+
+/// What walls do to the grains near them in a step, collected before the pairs are added.
+template <class Grains>
+class wall_loads {
+ public:
+  /// Forgets the grains of an old list.
+  void relist(std::size_t grains) {
+    place_.assign(grains, -1);
+    loads_.clear();
+  }
+  template <class WallContacts>
+  void list(const WallContacts& wall) {
+    for (std::size_t k = 0; k < wall.size(); ++k) {
+      std::int32_t& place = place_[wall.row(k)];
+      if (place >= 0) continue;
+      place = static_cast<std::int32_t>(loads_.size());
+      loads_.push_back({});
+    }
+  }
+
+  void clear() { std::fill(loads_.begin(), loads_.end(), action<Grains::rotate>{}); }
+
+  template <class WallContacts>
+  void add(const WallContacts& wall) {
+    for (std::size_t k = 0; k < wall.size(); ++k) {
+      auto& sum = loads_[static_cast<std::size_t>(place_[wall.row(k)])];
+      pendular::add(push_of(sum), wall.force(k), wall.gap(k) < 0 ? 1 : 0);
+      if constexpr (Grains::rotate) pendular::add(sum.high, wall.torque(k), 0);
+    }
+  }
+
+  /// On a grain, all zeros where no wall is near.
+  const action<Grains::rotate>& on(std::size_t row) const {
+    return place_[row] < 0 ? nothing_ : loads_[static_cast<std::size_t>(place_[row])];
+  }
+
+ private:
+  std::vector<std::int32_t> place_;  // of a grain among the loads, or -1
+  std::vector<action<Grains::rotate>> loads_;
+  action<Grains::rotate> nothing_{};
+};
+
+}  // namespace pendular

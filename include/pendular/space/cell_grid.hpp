@@ -28,7 +28,9 @@ inline box bounding_box(std::span<const vector> positions) {
   return b;
 }
 
-/// Cells of at least the given edge over the box of the points, each with the rows of its points.
+/// Cells of at least the given edge over the box of the points, each with the rows of its points. Cells follow each other
+/// along x, lines of cells along z through a slab of some layers and then along y: so neighbours lie near each other in
+/// memory also in a scene whose layers do not fit into the cache.
 class cell_grid {
  public:
   cell_grid(std::span<const vector> positions, double edge) : box_(bounding_box(positions)) {
@@ -57,7 +59,7 @@ class cell_grid {
 
   std::size_t cell_at(const vector& p) const {
     const auto x = along(p.x - box_.lower.x, 0), y = along(p.y - box_.lower.y, 1), z = along(p.z - box_.lower.z, 2);
-    return static_cast<std::size_t>((z * counts_[1] + y) * counts_[0] + x);
+    return static_cast<std::size_t>(line(y, z) * counts_[0] + x);
   }
 
   /// visit(first cell, last cell) for every row of neighbouring cells along x, the point's own cell included.
@@ -66,14 +68,16 @@ class cell_grid {
     const auto x = along(p.x - box_.lower.x, 0), y = along(p.y - box_.lower.y, 1), z = along(p.z - box_.lower.z, 2);
     for (auto k = std::max<std::int64_t>(z - 1, 0); k <= std::min(z + 1, counts_[2] - 1); ++k) {
       for (auto j = std::max<std::int64_t>(y - 1, 0); j <= std::min(y + 1, counts_[1] - 1); ++j) {
-        const auto line = (k * counts_[1] + j) * counts_[0];
-        visit(static_cast<std::size_t>(line + std::max<std::int64_t>(x - 1, 0)),
-              static_cast<std::size_t>(line + std::min(x + 1, counts_[0] - 1)));
+        const auto begin = line(j, k) * counts_[0];
+        visit(static_cast<std::size_t>(begin + std::max<std::int64_t>(x - 1, 0)),
+              static_cast<std::size_t>(begin + std::min(x + 1, counts_[0] - 1)));
       }
     }
   }
 
  private:
+  static constexpr std::int64_t slab = 8;  // layers of cells
+
   void choose_cells(std::size_t points, double edge) {
     const std::array<double, 3> extent{box_.upper.x - box_.lower.x, box_.upper.y - box_.lower.y,
                                        box_.upper.z - box_.lower.z};
@@ -84,6 +88,11 @@ class cell_grid {
       if (cells <= most_cells) break;
     }
     for (std::size_t k = 0; k < 3; ++k) counts_[k] = static_cast<std::int64_t>(extent[k] / edge_) + 1;
+  }
+
+  std::int64_t line(std::int64_t y, std::int64_t z) const {
+    const std::int64_t below = z / slab * slab, layers = std::min(slab, counts_[2] - below);
+    return below * counts_[1] + y * layers + (z - below);
   }
 
   std::int64_t along(double offset, std::size_t axis) const {

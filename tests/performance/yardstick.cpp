@@ -2,6 +2,7 @@
 // The library's wet scene against the same scene written by hand, in turns: time per grain and step, and how far apart the
 // grains end.
 #include "yardstick.hpp"
+#include "median.hpp"
 #include "packing.hpp"
 #include "stopwatch.hpp"
 
@@ -14,13 +15,6 @@
 #include <string>
 
 using namespace pendular;
-
-namespace {
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-}  // namespace
 
 int main(int count, char** arguments) {
   const std::size_t grains = count > 1 ? std::stoul(arguments[1]) : 8000;

@@ -299,7 +299,7 @@ class system {
     const auto origin =
         list_.rebuild(position, grains_.template get<column::radius>(), grains_.template get<column::id>(),
                       cell_grid(position, edge), range, range - skin_, order);
-    contacts_.carry(origin, list_.padded_size());
+    contacts_.carry(origin, grains_, list_, material_);
     relist_walls(origin, order, range);
     listed_at_.assign(position.begin(), position.end());
     rows_.fill(grains_);
@@ -315,7 +315,7 @@ class system {
     loads_.relist(grains_.size());
     for_each_wall([&](const auto& wall, auto& contacts) {
       constexpr bool carries_bridges = std::remove_cvref_t<decltype(contacts)>::carries_bridges;
-      const auto places = contacts.rebuild(grains_, wall, carries_bridges ? range : skin_, order);
+      const auto places = contacts.rebuild(grains_, wall, material_of(wall), carries_bridges ? range : skin_, order);
       if constexpr (carries_bridges) contacts.take_bond_rows(places, bond_origin);
       loads_.list(contacts);
     });

@@ -36,7 +36,7 @@ class wall_contacts {
   /// Grains within range of the wall, sorted by id. `came_from[row]` is the row a grain had in the list before. Answers
   /// the place that each had in the list before, or -1.
   template <class Grains>
-  std::vector<std::int32_t> rebuild(const Grains& g, const Wall& w, double range,
+  std::vector<std::int32_t> rebuild(const Grains& g, const Wall& w, const Material& material, double range,
                                     std::span<const std::size_t> came_from) {
     const auto position = g.template get<column::position>();
     const auto radius = g.template get<column::radius>();
@@ -60,6 +60,8 @@ class wall_contacts {
     if (count_ > 0) rows.resize(padded(count_), rows.back());
     rows_ = std::move(rows);
     memory_.carry(origin, rows_.size());
+    make_constants(g, material);
+    busy_.assign(rows_.size() / lane_count, 1);
     force_.resize(rows_.size());
     torque_.resize(rows_.size());
     gaps_.carry(origin, rows_.size());
@@ -81,9 +83,9 @@ class wall_contacts {
                             const contact_clock& clock) {
     gaps_.turn();
     for_chunks(rows_.size(), work_sums::chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
-      contact_findings found;
+      lane_findings found;
       for (std::size_t k = begin; k < end; k += lane_count) evaluate_block(g, w, material, bonds, clock, k, found);
-      findings_[c] = found;
+      findings_[c] = found.folded();
     });
     contact_findings all;
     for (const contact_findings& f : findings_) all |= f;
@@ -128,18 +130,22 @@ class wall_contacts {
 
  private:
   template <class Grains>
+  void make_constants(const Grains& g, const Material& material) {
+    constants_.resize(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      constants_.set_row(k, constants_of(material, 1.0 / g.template get<column::inverse_mass>()[row(k)]));
+    }
+  }
+
+  template <class Grains>
   meeting<double> meet_one(const Grains& g, const Wall& w, std::size_t k) const {
     return w.shape.meet(g.template get<column::position>()[row(k)], g.template get<column::radius>()[row(k)]);
   }
 
   template <class Grains>
-  encounter<block> meet(const Grains& g, const Wall& w, const std::int32_t* rows, const vector& wall_velocity,
-                        double time_step) const {
-    const Vec3<block> centre = gather(g.template get<column::position>().data(), rows);
+  encounter<block> meet(const Grains& g, const meeting<block>& m, const block& radius, const block& mass,
+                        const std::int32_t* rows, const vector& wall_velocity, double time_step) const {
     const Vec3<block> velocity = gather(g.template get<column::velocity>().data(), rows);
-    const block radius = gather(g.template get<column::radius>().data(), rows);
-    const block mass = 1.0 / gather(g.template get<column::inverse_mass>().data(), rows);
-    const meeting<block> m = w.shape.meet(centre, radius);
     encounter<block> e;
     e.normal = m.normal;
     e.velocity = velocity - Vec3<block>{block(wall_velocity.x), block(wall_velocity.y), block(wall_velocity.z)};
@@ -159,16 +165,26 @@ class wall_contacts {
 
   template <class Grains>
   void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
-                      const contact_clock& clock, std::size_t k, contact_findings& found) {
-    const encounter<block> e = meet(g, w, rows_.data() + k, w.drive.velocity, clock.time_step);
-    const block& gap = e.approaching.gap;
+                      const contact_clock& clock, std::size_t k, lane_findings& found) {
+    const block radius = gather(g.template get<column::radius>().data(), rows_.data() + k);
+    const Vec3<block> centre = gather(g.template get<column::position>().data(), rows_.data() + k);
+    const meeting<block> m = w.shape.meet(centre, radius);
+    const block& gap = m.gap;
+    gaps_.put(k, gap);
+    char& busy = busy_[k / lane_count];
+    const bool touching = carries_bridges || !(gap.minCoeff() >= 0);
+    if (!touching && busy == 0) return found.demand_finite(gap);
+    busy = touching || !clock.moving ? 1 : 0;  // once more after parting, so that memory and forces are cleared
+    const contact_constants<block> made = constants_.load_block(k);
+    const encounter<block> e =
+        meet(g, m, radius, made.reduced_mass, rows_.data() + k, w.drive.velocity, clock.time_step);
     memory<block> remembered = memory_.load_block(k);
-    contact_force<block> f = touch(material, e, remembered, clock.time_step);
+    contact_force<block> f = touch(material, e, made.damping, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(k, remembered);
     block pull = block::Zero();
     if constexpr (carries_bridges) {
       pull = add_bridges(bonds, bond_row(k), e, f);
-      found.liquid_event |= bonds.has_event(bond_row(k), gap, gaps_.before(k, gap));
+      found.event = found.event.max(bonds.event(bond_row(k), gap, gaps_.before(k, gap)));
     }
     const Vec3<block> force = f.traction - block(f.push - pull) * e.normal;
     const Vec3<block> torque = block(e.approaching.radius_i + e.approaching.gap) * cross(e.normal, f.traction);
@@ -177,15 +193,16 @@ class wall_contacts {
       force_[row] = {force.x(lane), force.y(lane), force.z(lane)};
       torque_[row] = {torque.x(lane), torque.y(lane), torque.z(lane)};
     }
-    gaps_.put(k, gap);
     if constexpr (KeepsBook) work_.add(k, count_, e, f, clock);
-    found.trouble |= !((gap + clock.overlap_limit * e.approaching.radius_i).minCoeff() > 0) ||
-                     !std::isfinite((gap + force.x + force.y + force.z).sum());
+    found.room = found.room.min(gap + clock.overlap_limit * radius);
+    found.demand_finite(gap + force.x + force.y + force.z);
   }
 
   std::size_t count_ = 0;
   std::vector<std::int32_t> rows_;
   scalar_table<memory> memory_;
+  scalar_table<contact_constants> constants_;
+  std::vector<char> busy_;  // per block: whether one of its grains touched in the last step
   std::vector<vector> force_, torque_;
   gap_record<carries_bridges && Bonds::forms_on_closing> gaps_;
   work_sums_if<KeepsBook> work_;

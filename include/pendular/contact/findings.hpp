@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/lanes.hpp>
+
 namespace pendular {
 
 /// What an evaluation of contacts found besides forces.
@@ -13,6 +15,16 @@ struct contact_findings {
     trouble |= other.trouble;
     return *this;
   }
+};
+
+/// The same lane by lane, so that blocks do not reduce what a whole chunk can reduce at once.
+struct lane_findings {
+  block event = block::Constant(-1);  // positive where a bridge breaks or may form
+  block room = block::Constant(1);    // below 0 where an overlap is beyond the limit
+  block zero = block::Zero();         // no number where a value is not finite
+
+  void demand_finite(const block& values) { zero += 0.0 * values; }
+  contact_findings folded() const { return {event.maxCoeff() > 0, !(room.minCoeff() > 0) || !(zero.sum() == 0)}; }
 };
 
 }  // namespace pendular

@@ -57,15 +57,43 @@ Vec3<T> traction(const Friction& law, const slip<T>& s, const T& normal_force, M
 }
 }  // namespace detail
 
+/// What of a contact is the same as long as its pair is.
+template <class T>
+struct contact_constants {
+  T reduced_mass;      // kg
+  dashpot<T> damping;  // 0 unless the material prepares it
+};
+
+template <class T, class Material>
+contact_constants<T> constants_of(const Material& material, const T& reduced_mass) {
+  contact_constants<T> c{reduced_mass, {T(0)}};
+  if constexpr (Material::prepares_dashpot) {
+    const approach<T> a{T(0), T(0), reduced_mass, T(1), T(1)};
+    c.damping = material.damping().prepare(reduced_mass, stiffness(material.normal(), a));
+  }
+  return c;
+}
+
+namespace detail {
+template <class T, class Material>
+T damping(const Material& material, const approach<T>& a, const dashpot<T>& prepared) {
+  if constexpr (Material::prepares_dashpot) {
+    return material.damping().resistance(a, prepared);
+  } else {
+    return material.damping().resistance(a, stiffness(material.normal(), a));
+  }
+}
+}  // namespace detail
+
 /// Elastic push, damping and friction of one material. The Coulomb limit takes elastic + damping, floored at 0, and
 /// never the total force, which would delete cohesion (Richefeu et al. 2007, Eq. 12).
 template <class T, class Material, class Memory>
-contact_force<T> touch(const Material& material, const encounter<T>& e, Memory& memory, double time_step) {
+contact_force<T> touch(const Material& material, const encounter<T>& e, const dashpot<T>& prepared, Memory& memory,
+                       double time_step) {
   const T elastic = material.normal().repulsion(e.approaching);
   contact_force<T> result{elastic, T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
   if constexpr (Material::has_damping) {
-    const T rigidity = stiffness(material.normal(), e.approaching);
-    result.damping = material.damping().resistance(e.approaching, rigidity);
+    result.damping = detail::damping(material, e.approaching, prepared);
     result.push = elastic + result.damping;
   }
   if constexpr (Material::has_friction) {
@@ -76,6 +104,12 @@ contact_force<T> touch(const Material& material, const encounter<T>& e, Memory& 
     result.traction = detail::traction(material.friction(), s, normal_force, memory);
   }
   return result;
+}
+
+/// The same for a contact whose constants nobody keeps.
+template <class T, class Material, class Memory>
+contact_force<T> touch(const Material& material, const encounter<T>& e, Memory& memory, double time_step) {
+  return touch(material, e, constants_of(material, e.approaching.reduced_mass).damping, memory, time_step);
 }
 
 }  // namespace pendular

@@ -34,8 +34,12 @@ class pair_contacts {
   template <class T>
   using memory = typename Material::template memory<T>;
 
-  void carry(std::span<const std::int32_t> origin, std::size_t rows) {
+  /// Follows the pairs into a new list.
+  template <class Grains>
+  void carry(std::span<const std::int32_t> origin, const Grains& g, const pair_list& list, const Material& material) {
+    const std::size_t rows = list.padded_size();
     memory_.carry(origin, rows);
+    make_constants(g, list, material);
     actions_.assign(rows, {});
     busy_.assign(rows / lane_count, in_contact);
     gaps_.carry(origin, rows);
@@ -47,11 +51,11 @@ class pair_contacts {
                             const Bonds& bonds, const contact_clock& clock) {
     gaps_.turn();
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
-      contact_findings found;
+      lane_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
         evaluate_block(rows, list, material, bonds, clock, p, found);
       }
-      findings_[c] = found;
+      findings_[c] = found.folded();
     });
     contact_findings all;
     for (const contact_findings& f : findings_) all |= f;
@@ -80,6 +84,18 @@ class pair_contacts {
   static constexpr std::size_t chunk = work_sums::chunk;
   static constexpr char idle = 0, bridging = 1, in_contact = 2;
 
+  template <class Grains>
+  void make_constants(const Grains& g, const pair_list& list, const Material& material) {
+    const auto inverse_mass = g.template get<column::inverse_mass>();
+    constants_.resize(list.padded_size());
+    for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t p = begin; p < end; ++p) {
+        const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
+        constants_.set_row(p, constants_of(material, 1.0 / (inverse_mass[i] + inverse_mass[j])));
+      }
+    });
+  }
+
   struct closeness {
     Vec3<block> normal;
     block gap, radius_i, radius_j;
@@ -93,9 +109,8 @@ class pair_contacts {
   }
 
   static encounter<block> meet(const grain_rows<rotates>& g, const std::int32_t* i, const std::int32_t* j,
-                               const closeness& c, double time_step) {
+                               const closeness& c, const block& reduced_mass, double time_step) {
     const quad_block motion_i = gather(g.motions(), i), motion_j = gather(g.motions(), j);
-    const block reduced_mass = 1.0 / (motion_i.d + motion_j.d);
     encounter<block> e;
     e.normal = c.normal;
     e.velocity = {motion_i.a - motion_j.a, motion_i.b - motion_j.b, motion_i.c - motion_j.c};
@@ -119,13 +134,13 @@ class pair_contacts {
   // Flattened, because a block passed to a function that is not inlined goes through memory.
   PENDULAR_FLATTEN void evaluate_block(const grain_rows<rotates>& rows, const pair_list& list, const Material& material,
                                        const Bonds& bonds, const contact_clock& clock, std::size_t p,
-                                       contact_findings& found) {
+                                       lane_findings& found) {
     const std::int32_t *i = list.first().data() + p, *j = list.second().data() + p;
     const closeness c = look(rows, i, j);
     bool bonded = false;
     if constexpr (wet) {
       bonded = bonds.any_bonded(p);
-      found.liquid_event |= bonds.has_event(p, c.gap, gaps_.before(p, c.gap));
+      found.event = found.event.max(bonds.event(p, c.gap, gaps_.before(p, c.gap)));
     }
     gaps_.put(p, c.gap);
     char& busy = busy_[p / lane_count];
@@ -133,30 +148,33 @@ class pair_contacts {
     const bool dragging = touching || (Bonds::is_viscous && bonded);
     if (dragging || busy == in_contact) {
       busy = dragging || !clock.moving ? in_contact : bridging;  // once more, so that what contacts remember is cleared
-      evaluate_contacts(meet(rows, i, j, c, clock.time_step), list, material, bonds, clock, p, found);
+      const contact_constants<block> made = constants_.load_block(p);
+      evaluate_contacts(meet(rows, i, j, c, made.reduced_mass, clock.time_step), made, list, material, bonds, clock, p,
+                        found);
     } else {
-      found.trouble |= !std::isfinite(c.gap.sum());
+      found.demand_finite(c.gap);
       if (bonded || busy != idle) evaluate_bridges(c, bonds, p, bonded, found);
       busy = bonded ? bridging : idle;
     }
   }
 
   /// Nobody touches and nobody did in the last step: what is left is the pull of bridges, if any.
-  void evaluate_bridges(const closeness& c, const Bonds& bonds, std::size_t p, bool bonded, contact_findings& found) {
+  void evaluate_bridges(const closeness& c, const Bonds& bonds, std::size_t p, bool bonded, lane_findings& found) {
     block pull = block::Zero();
     if constexpr (wet) {
       if (bonded) pull = bonds.attraction(p, c.gap);
     }
     const Vec3<block> force = pull * c.normal;
     store_action(p, c.gap, force, {block::Zero(), block::Zero(), block::Zero()});
-    found.trouble |= !std::isfinite((force.x + force.y + force.z).sum());
+    found.demand_finite(force.x + force.y + force.z);
   }
 
-  void evaluate_contacts(const encounter<block>& e, const pair_list& list, const Material& material, const Bonds& bonds,
-                         const contact_clock& clock, std::size_t p, contact_findings& found) {
+  void evaluate_contacts(const encounter<block>& e, const contact_constants<block>& made, const pair_list& list,
+                         const Material& material, const Bonds& bonds, const contact_clock& clock, std::size_t p,
+                         lane_findings& found) {
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
-    contact_force<block> f = touch(material, e, remembered, clock.time_step);
+    contact_force<block> f = touch(material, e, made.damping, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(p, remembered);
     block pull = block::Zero();
     if constexpr (wet) pull = add_bridges(bonds, p, e, f);
@@ -166,8 +184,8 @@ class pair_contacts {
     if constexpr (rotates) torque = cross(e.normal, f.traction);
     store_action(p, gap, force, torque);
     const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
-    found.trouble |= !((gap + clock.overlap_limit * smaller).minCoeff() > 0) ||
-                     !std::isfinite((gap + force.x + force.y + force.z).sum());
+    found.room = found.room.min(gap + clock.overlap_limit * smaller);
+    found.demand_finite(gap + force.x + force.y + force.z);
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }
 
@@ -181,6 +199,7 @@ class pair_contacts {
   }
 
   scalar_table<memory> memory_;
+  scalar_table<contact_constants> constants_;
   std::vector<action<rotates>> actions_;
   std::vector<char> busy_;  // per block: the most that one of its pairs did in the last step
   gap_record<Bonds::forms_on_closing> gaps_;

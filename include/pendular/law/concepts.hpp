@@ -38,6 +38,15 @@ struct memory_of<L, T> {
 };
 }  // namespace detail
 
+namespace detail {
+/// A damping law whose part that depends on mass and stiffness alone can be made once per pair.
+template <class L>
+concept PreparesDashpot = requires(const L law, const approach<double> a, const double number) {
+  { law.prepare(number, number) } -> std::same_as<dashpot<double>>;
+  { law.resistance(a, law.prepare(number, number)) } -> std::convertible_to<double>;
+};
+}  // namespace detail
+
 /// What a law keeps per contact: a nested template `contact_memory<T>` whose members are T or Vec3<T>, or nothing.
 template <class L, class T>
 using contact_memory_t = typename detail::memory_of<L, T>::type;

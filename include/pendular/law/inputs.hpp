@@ -25,6 +25,12 @@ struct approach {
   T radius_j;       // m; infinite for a wall
 };
 
+/// What a damping law can prepare once per pair where the stiffness does not depend on the overlap.
+template <Scalar T>
+struct dashpot {
+  T coefficient;  // kg/s
+};
+
 /// What a friction law sees.
 template <Scalar T>
 struct slip {

@@ -87,14 +87,14 @@ class bonds {
 
   bool any_bonded(std::size_t first_pair) const { return (load(breaks_above_.data() + first_pair) > 0).any(); }
 
-  /// Whether a pair of the block breaks or may form; `before` is the gap one step ago.
-  bool has_event(std::size_t first_pair, const block& gap, const block& before) const {
+  /// Positive where a pair of the block breaks or may form; `before` is the gap one step ago.
+  block event(std::size_t first_pair, const block& gap, const block& before) const {
     const block ceiling = load(breaks_above_.data() + first_pair);
     const block floor = load(forms_below_.data() + first_pair);
     const block breaking = (gap - ceiling) * unit_step(ceiling);
     block forming = floor - gap;
     if constexpr (forms_on_closing) forming *= 1.0 - unit_step(block(floor - before));
-    return breaking.max(forming).maxCoeff() > 0;
+    return breaking.max(forming);
   }
 
   bool breaks(std::size_t p, double gap) const { return is_bonded(p) && gap > breaks_above_[p]; }

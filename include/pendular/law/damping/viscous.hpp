@@ -15,9 +15,18 @@ struct viscous {
 
   template <Scalar T>
   T resistance(const approach<T>& a, const T& stiffness) const {
+    return resistance(a, prepare(a.reduced_mass, stiffness));
+  }
+
+  template <Scalar T>
+  dashpot<T> prepare(const T& reduced_mass, const T& stiffness) const {
+    const T root = sqrt(T(reduced_mass * stiffness));
+    return {T(2.0 * damping_rate) * root};
+  }
+  template <Scalar T>
+  T resistance(const approach<T>& a, const dashpot<T>& made) const {
     const T touching = unit_step(T(-a.gap));
-    const T root = sqrt(T(a.reduced_mass * stiffness));
-    return T(2.0 * damping_rate) * root * a.closing_speed * touching;
+    return made.coefficient * a.closing_speed * touching;
   }
 };
 

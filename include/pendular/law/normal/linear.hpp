@@ -11,6 +11,8 @@ namespace pendular::normal {
 struct linear {
   double normal_stiffness;  // k_n, N/m
 
+  static constexpr bool has_constant_stiffness = true;
+
   template <Scalar T>
   T repulsion(const approach<T>& a) const {
     return T(normal_stiffness) * max(T(-a.gap), T(0));

@@ -132,7 +132,8 @@ class system {
   /// Errors: run_error, naming grain, step and cause.
   void run(std::int64_t steps) {
     start();
-    for (std::int64_t k = 0; k < steps; ++k) step();
+    if (steps > 0) stale_ |= predict(grains_, integrator_, listing{listed_at_, 0.5 * skin_});
+    for (std::int64_t k = 1; k <= steps; ++k) step(k < steps ? then::next_step : then::nothing);
   }
 
   const grains_type& particles() const { return grains_; }
@@ -263,8 +264,8 @@ class system {
     return {*small, *large};
   }
 
-  void step() {
-    stale_ |= predict(grains_, rows_, integrator_, listed_at_, 0.5 * skin_);
+  /// From the first half of this step on, to the first half of the next if there is one.
+  void step(then what) {
     for_each_wall([&](auto& wall, auto&) {
       wall.move(integrator_.time_step);
       wall_travel_ += norm(wall.drive.velocity) * integrator_.time_step;
@@ -276,7 +277,7 @@ class system {
         if (steps_ % bonds_.policies().redistribution().period == 0) redistribute();
       }
     }
-    evaluate(true);
+    evaluate(true, what);
   }
 
   void rebuild() {
@@ -302,7 +303,6 @@ class system {
     contacts_.carry(origin, grains_, list_, material_);
     relist_walls(origin, order, range);
     listed_at_.assign(position.begin(), position.end());
-    rows_.fill(grains_);
     wall_travel_ = 0;
     stale_ = false;
     ++rebuilds_;
@@ -349,10 +349,9 @@ class system {
     stale_ |= bonds_.formation_reach(v) + skin_ > list_.range();  // liquid has gathered on a grain
   }
 
-  void evaluate(bool moving) {
+  void evaluate(bool moving, then what = then::nothing) {
     const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
-    if (!moving) rows_.fill(grains_);  // else the first half of the step has done it
-    contact_findings found = contacts_.evaluate(rows_, list_, material_, bonds_, clock);
+    contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);
     loads_.clear();
     for_each_wall([&](auto& wall, auto& contacts) {
@@ -366,7 +365,7 @@ class system {
       if (found.liquid_event || torn_) settle();
       torn_ = false;
     }
-    correct(grains_, list_, contacts_, loads_, integrator_, moving);
+    stale_ |= correct(grains_, list_, contacts_, loads_, integrator_, moving, what, {listed_at_, 0.5 * skin_});
   }
 
   Material material_;
@@ -379,7 +378,6 @@ class system {
   contacts_type contacts_;
   typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type wall_contacts_;
   wall_loads<grains_type> loads_;
-  grain_rows<grains_type::rotate> rows_;
   std::vector<vector> listed_at_;
   box domain_{};
   bond_selection selection_;

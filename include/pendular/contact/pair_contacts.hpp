@@ -7,7 +7,6 @@
 #include <pendular/contact/findings.hpp>
 #include <pendular/contact/force.hpp>
 #include <pendular/contact/gap_record.hpp>
-#include <pendular/contact/grain_rows.hpp>
 #include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
@@ -47,13 +46,14 @@ class pair_contacts {
     findings_.assign(chunk_count(rows, chunk), {});
   }
 
-  contact_findings evaluate(const grain_rows<rotates>& rows, const pair_list& list, const Material& material,
-                            const Bonds& bonds, const contact_clock& clock) {
+  template <class Grains>
+  contact_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
+                            const contact_clock& clock) {
     gaps_.turn();
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       lane_findings found;
       for (std::size_t p = begin; p < end; p += lane_count) {
-        evaluate_block(rows, list, material, bonds, clock, p, found);
+        evaluate_block(g, list, material, bonds, clock, p, found);
       }
       findings_[c] = found.folded();
     });
@@ -101,22 +101,27 @@ class pair_contacts {
     block gap, radius_i, radius_j;
   };
 
-  static closeness look(const grain_rows<rotates>& g, const std::int32_t* i, const std::int32_t* j) {
-    const quad_block from = gather(g.places(), i), to = gather(g.places(), j);
+  template <class Grains>
+  static closeness look(const Grains& g, const std::int32_t* i, const std::int32_t* j) {
+    const row::place* places = g.template rows<row::place>().data();
+    const quad_block from = gather(places, i), to = gather(places, j);
     const Vec3<block> branch{to.a - from.a, to.b - from.b, to.c - from.c};
     const block distance = norm(branch);
     return {block(1.0 / distance) * branch, distance - from.d - to.d, from.d, to.d};
   }
 
-  static encounter<block> meet(const grain_rows<rotates>& g, const std::int32_t* i, const std::int32_t* j,
-                               const closeness& c, const block& reduced_mass, double time_step) {
-    const quad_block motion_i = gather(g.motions(), i), motion_j = gather(g.motions(), j);
+  template <class Grains>
+  static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, const closeness& c,
+                               const block& reduced_mass, double time_step) {
+    const row::motion* motions = g.template rows<row::motion>().data();
+    const quad_block motion_i = gather(motions, i), motion_j = gather(motions, j);
     encounter<block> e;
     e.normal = c.normal;
     e.velocity = {motion_i.a - motion_j.a, motion_i.b - motion_j.b, motion_i.c - motion_j.c};
     e.approaching = {c.gap, dot(e.velocity, e.normal), reduced_mass, c.radius_i, c.radius_j};
     if constexpr (rotates) {
-      const quad_block turn_i = gather(g.turns(), i), turn_j = gather(g.turns(), j);
+      const row::spin* spins = g.template rows<row::spin>().data();
+      const quad_block turn_i = gather(spins, i), turn_j = gather(spins, j);
       const Vec3<block> spin_i{turn_i.a, turn_i.b, turn_i.c}, spin_j{turn_j.a, turn_j.b, turn_j.c};
       const block lever_i = c.radius_i + 0.5 * c.gap, lever_j = c.radius_j + 0.5 * c.gap;
       e.rolling = cross(lever_i * spin_i + lever_j * spin_j, e.normal);
@@ -132,11 +137,12 @@ class pair_contacts {
   }
 
   // Flattened, because a block passed to a function that is not inlined goes through memory.
-  PENDULAR_FLATTEN void evaluate_block(const grain_rows<rotates>& rows, const pair_list& list, const Material& material,
+  template <class Grains>
+  PENDULAR_FLATTEN void evaluate_block(const Grains& g, const pair_list& list, const Material& material,
                                        const Bonds& bonds, const contact_clock& clock, std::size_t p,
                                        lane_findings& found) {
     const std::int32_t *i = list.first().data() + p, *j = list.second().data() + p;
-    const closeness c = look(rows, i, j);
+    const closeness c = look(g, i, j);
     bool bonded = false;
     if constexpr (wet) {
       bonded = bonds.any_bonded(p);
@@ -149,7 +155,7 @@ class pair_contacts {
     if (dragging || busy == in_contact) {
       busy = dragging || !clock.moving ? in_contact : bridging;  // once more, so that what contacts remember is cleared
       const contact_constants<block> made = constants_.load_block(p);
-      evaluate_contacts(meet(rows, i, j, c, made.reduced_mass, clock.time_step), made, list, material, bonds, clock, p,
+      evaluate_contacts(meet(g, i, j, c, made.reduced_mass, clock.time_step), made, list, material, bonds, clock, p,
                         found);
     } else {
       found.demand_finite(c.gap);

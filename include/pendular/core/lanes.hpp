@@ -34,21 +34,4 @@ constexpr std::size_t padded(std::size_t rows) {
 inline block load(const double* from) { return Eigen::Map<const block>(from); }
 inline void store(double* to, const block& values) { Eigen::Map<block>{to} = values; }
 
-inline block gather(const double* column, const std::int32_t* rows) {
-  block result;
-  for (int k = 0; k < lane_count; ++k) result(k) = column[rows[k]];
-  return result;
-}
-
-inline Vec3<block> gather(const vector* column, const std::int32_t* rows) {
-  Vec3<block> result;
-  for (int k = 0; k < lane_count; ++k) {
-    const vector& row = column[rows[k]];
-    result.x(k) = row.x;
-    result.y(k) = row.y;
-    result.z(k) = row.z;
-  }
-  return result;
-}
-
 }  // namespace pendular

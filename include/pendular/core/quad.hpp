@@ -34,11 +34,21 @@ using eight_doubles = double __attribute__((vector_size(64)));
 // As it lies in memory; g++ 12 takes a copy by memcpy through the stack where it is not merged with another.
 using four_doubles_there [[gnu::may_alias]] = four_doubles;
 
-inline void read(four_doubles& to, const quad& row) { to = *reinterpret_cast<const four_doubles_there*>(&row); }
-inline void write(const four_doubles& from, quad& row) { *reinterpret_cast<four_doubles_there*>(&row) = from; }
+template <class Row>
+void read(four_doubles& to, const Row& row) {
+  static_assert(sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad));
+  to = *reinterpret_cast<const four_doubles_there*>(&row);
+}
+template <class Row>
+void write(const four_doubles& from, Row& row) {
+  static_assert(sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad));
+  *reinterpret_cast<four_doubles_there*>(&row) = from;
+}
 inline void read(eight_doubles& to, const block& values) { std::memcpy(&to, values.data(), sizeof to); }
 inline void write(const eight_doubles& from, block& values) { std::memcpy(values.data(), &from, sizeof from); }
-inline void read(eight_doubles& to, const quad& low, const quad& high) {
+template <class Row>
+void read(eight_doubles& to, const Row& low, const Row& high) {
+  static_assert(sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad));
   four_doubles first, second;
   std::memcpy(&first, &low, sizeof first);
   std::memcpy(&second, &high, sizeof second);
@@ -65,8 +75,9 @@ inline void transpose(eight_doubles& a, eight_doubles& b, eight_doubles& c, eigh
 }  // namespace detail
 
 /// The rows of a block of indices as lanes: eight loads and eight shuffles instead of a load and an insertion for each
-/// of the 32 numbers.
-inline quad_block gather(const quad* column, const std::int32_t* rows) {
+/// of the 32 numbers. A row is a quad or any other four numbers.
+template <class Row>
+quad_block gather(const Row* column, const std::int32_t* rows) {
   detail::eight_doubles a, b, c, d;
   detail::read(a, column[rows[0]], column[rows[4]]);
   detail::read(b, column[rows[1]], column[rows[5]]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/strided.hpp>
 #include <pendular/core/vec.hpp>
 #include <pendular/law/inputs.hpp>
 #include <pendular/liquid/protocol/concepts.hpp>
@@ -33,8 +34,8 @@ struct wall_row {
 struct pair_view {
   std::span<const std::int32_t> first, second;  // rows of the grains, padded
   std::size_t pairs;                            // without padding
-  std::span<const vector> position;             // m
-  std::span<const double> radius;               // m
+  strided<const vector> position;               // m
+  strided<const double> radius;                 // m
   std::span<const std::int64_t> id;
   vector up;  // unit vector against gravity, or 0
   bool wet_walls = false;
@@ -85,7 +86,7 @@ struct pair_view {
   }
 
   /// Sum of a number over the grains of a row.
-  double sum_over_grains_of(std::size_t p, std::span<const double> of_grain) const {
+  double sum_over_grains_of(std::size_t p, strided<const double> of_grain) const {
     return is_at_wall(p) ? of_grain[grain_i(p)] : of_grain[grain_i(p)] + of_grain[grain_j(p)];
   }
 

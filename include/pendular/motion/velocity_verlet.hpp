@@ -20,14 +20,19 @@ struct velocity_verlet {
   double time_step;         // s
   vector gravity{0, 0, 0};  // m/s2
 
-  void predict(vector& position, vector& velocity, const vector& acceleration) const {
+  template <class V>
+  void predict(V& position, V& velocity, const V& acceleration) const {
     const double dt = time_step;
     position += dt * velocity + (0.5 * dt * dt) * acceleration;
     velocity += dt * acceleration;
   }
-  void predict_spin(vector& spin, const vector& acceleration) const { spin += time_step * acceleration; }
+  template <class V>
+  void predict_spin(V& spin, const V& acceleration) const {
+    spin += time_step * acceleration;
+  }
 
-  void correct(vector& velocity, const vector& before, const vector& now) const {
+  template <class V>
+  void correct(V& velocity, const V& before, const V& now) const {
     velocity += (0.5 * time_step) * (now - before);
   }
 
@@ -45,13 +50,18 @@ struct half_step_velocity_verlet {
   double time_step;         // s
   vector gravity{0, 0, 0};  // m/s2
 
-  void predict(vector& position, vector& velocity, const vector& acceleration) const {
+  template <class V>
+  void predict(V& position, V& velocity, const V& acceleration) const {
     velocity += (0.5 * time_step) * acceleration;
     position += time_step * velocity;
   }
-  void predict_spin(vector& spin, const vector& acceleration) const { spin += (0.5 * time_step) * acceleration; }
+  template <class V>
+  void predict_spin(V& spin, const V& acceleration) const {
+    spin += (0.5 * time_step) * acceleration;
+  }
 
-  void correct(vector& velocity, const vector& /*before*/, const vector& now) const {
+  template <class V>
+  void correct(V& velocity, const V& /*before*/, const V& now) const {
     velocity += (0.5 * time_step) * now;
   }
 
@@ -74,7 +84,9 @@ inline void validate_step(double time_step, const vector& gravity) {
 inline void validate(const velocity_verlet& v) { detail::validate_step(v.time_step, v.gravity); }
 inline void validate(const half_step_velocity_verlet& v) { detail::validate_step(v.time_step, v.gravity); }
 
-/// Moves grains from one step to the next in two halves around the evaluation of the forces.
+/// Moves grains from one step to the next in two halves around the evaluation of the forces. Its functions may be
+/// templates in the type of the vectors: they are then called with rows of four numbers, which have + and multiplication by
+/// a double as a vector has, and are faster.
 template <class I>
 concept Integrator = std::copyable<I> && requires(const I integrator, vector& changed, const vector a) {
   { integrator.time_step } -> std::convertible_to<double>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/strided.hpp>
 #include <pendular/core/vec.hpp>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ struct box {
   vector lower, upper;
 };
 
-inline box bounding_box(std::span<const vector> positions) {
+inline box bounding_box(strided<const vector> positions) {
   box b{positions[0], positions[0]};
   for (const vector& p : positions) {
     b.lower = {std::min(b.lower.x, p.x), std::min(b.lower.y, p.y), std::min(b.lower.z, p.z)};
@@ -33,7 +34,7 @@ inline box bounding_box(std::span<const vector> positions) {
 /// memory also in a scene whose layers do not fit into the cache.
 class cell_grid {
  public:
-  cell_grid(std::span<const vector> positions, double edge) : box_(bounding_box(positions)) {
+  cell_grid(strided<const vector> positions, double edge) : box_(bounding_box(positions)) {
     choose_cells(positions.size(), edge);
     cell_of_.resize(positions.size());
     for (std::size_t row = 0; row < positions.size(); ++row) cell_of_[row] = cell_at(positions[row]);

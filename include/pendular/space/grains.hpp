@@ -3,6 +3,7 @@
 
 #include <pendular/core/columns.hpp>
 #include <pendular/core/expects.hpp>
+#include <pendular/core/strided.hpp>
 #include <pendular/core/vec.hpp>
 
 #include <algorithm>
@@ -10,7 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <type_traits>
+#include <vector>
 
 namespace pendular {
 
@@ -23,109 +26,160 @@ struct grain {
   vector angular_velocity{0, 0, 0};  // rad/s; ignored without friction
 };
 
+// Four numbers that are read and written together lie together, as pairs and integrators take them.
+namespace row {
+struct alignas(32) place {
+  vector position;  // m
+  double radius;    // m
+};
+struct alignas(32) motion {
+  vector velocity;      // m/s
+  double inverse_mass;  // 1/kg
+};
+struct alignas(32) force {
+  vector force;  // N
+  double nothing;
+};
+struct alignas(32) spin {
+  vector angular_velocity;  // rad/s
+  double contacts;
+};
+struct alignas(32) torque {
+  vector torque;           // N m
+  double inverse_inertia;  // 1/(kg m2)
+};
+}  // namespace row
+
 namespace column {
-struct position {
-  using type = vector;
+template <class Row, auto Member>
+struct member_of {
+  using row = Row;
+  static auto& in(auto& r) { return r.*Member; }
 };
-struct velocity {
-  using type = vector;
-};
-struct force {
-  using type = vector;
-};
-struct radius {
-  using type = double;
-};
-struct inverse_mass {
-  using type = double;
-};
+struct position : member_of<row::place, &row::place::position> {};
+struct radius : member_of<row::place, &row::place::radius> {};
+struct velocity : member_of<row::motion, &row::motion::velocity> {};
+struct inverse_mass : member_of<row::motion, &row::motion::inverse_mass> {};
+struct force : member_of<row::force, &row::force::force> {};
 struct id {
   using type = std::int64_t;
 };
 // Only where there is friction:
-struct angular_velocity {
-  using type = vector;
-};
-struct torque {
-  using type = vector;
-};
-struct inverse_inertia {
-  using type = double;
-};
+struct angular_velocity : member_of<row::spin, &row::spin::angular_velocity> {};
+struct torque : member_of<row::torque, &row::torque::torque> {};
+struct inverse_inertia : member_of<row::torque, &row::torque::inverse_inertia> {};
 // Only where the friction law counts contacts:
-struct contacts {
-  using type = double;
-};
+struct contacts : member_of<row::spin, &row::spin::contacts> {};
 }  // namespace column
 
 namespace detail {
-template <bool Rotates, bool CountsContacts>
-struct grain_columns;
-template <>
-struct grain_columns<false, false> {
-  using type =
-      columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass, column::id>;
+template <class Row>
+struct rows_of {
+  using type = Row;
+};
+template <class... Rows>
+using grain_table = columns<column::id, rows_of<Rows>...>;
+
+template <bool Rotates>
+struct grain_rows_of {
+  using type = grain_table<row::place, row::motion, row::force>;
 };
 template <>
-struct grain_columns<true, false> {
-  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass,
-                       column::id, column::angular_velocity, column::torque, column::inverse_inertia>;
-};
-template <>
-struct grain_columns<true, true> {
-  using type = columns<column::position, column::velocity, column::force, column::radius, column::inverse_mass,
-                       column::id, column::angular_velocity, column::torque, column::inverse_inertia, column::contacts>;
+struct grain_rows_of<true> {
+  using type = grain_table<row::place, row::motion, row::force, row::spin, row::torque>;
 };
 }  // namespace detail
 
 /// All grains of a scene, one row each in spatial order; the id of a grain never changes. A frictionless scene has no
 /// rotational columns.
 template <bool Rotates, bool CountsContacts>
-class grains : public detail::grain_columns<Rotates, CountsContacts>::type {
+class grains {
+  using table = typename detail::grain_rows_of<Rotates>::type;
+
  public:
   static constexpr bool rotate = Rotates;
   static constexpr bool count_contacts = CountsContacts;
 
+  template <class Column>
+  static constexpr bool has = [] {
+    if constexpr (std::is_same_v<Column, column::id>) {
+      return true;
+    } else if constexpr (std::is_same_v<Column, column::contacts>) {
+      return CountsContacts;
+    } else {
+      return table::template has<detail::rows_of<typename Column::row>>;
+    }
+  }();
+
+  std::size_t size() const { return table_.size(); }
+
+  /// A number or vector of all grains.
+  template <class Column>
+    requires(has<Column>)
+  auto get() { return seen_as_column<Column>(table_); }
+  template <class Column>
+    requires(has<Column>)
+  auto get() const { return seen_as_column<Column>(table_); }
+
+  /// All grains in rows of four numbers.
+  template <class Row>
+  std::span<Row> rows() {
+    return table_.template get<detail::rows_of<Row>>();
+  }
+  template <class Row>
+  std::span<const Row> rows() const {
+    return table_.template get<detail::rows_of<Row>>();
+  }
+
+  /// Row k becomes what was row order[k]; order must be a permutation of 0 .. size() - 1.
+  void permute(std::span<const std::size_t> order) { table_.permute(order); }
+
   /// Errors: radius or density not positive and finite, position, velocity or angular velocity not finite.
   void add(const grain& g) {
     validate(g);
-    const std::size_t row = this->size();
-    this->resize(row + 1);
+    const std::size_t k = size();
+    table_.resize(k + 1);
     const double mass = 4.0 / 3.0 * std::numbers::pi * g.radius * g.radius * g.radius * g.density;
-    this->template get<column::position>()[row] = g.position;
-    this->template get<column::velocity>()[row] = g.velocity;
-    this->template get<column::force>()[row] = {0, 0, 0};
-    this->template get<column::radius>()[row] = g.radius;
-    this->template get<column::inverse_mass>()[row] = 1.0 / mass;
-    this->template get<column::id>()[row] = static_cast<std::int64_t>(row);
+    rows<row::place>()[k] = {g.position, g.radius};
+    rows<row::motion>()[k] = {g.velocity, 1.0 / mass};
+    rows<row::force>()[k] = {{0, 0, 0}, 0};
+    get<column::id>()[k] = static_cast<std::int64_t>(k);
     if constexpr (Rotates) {
-      this->template get<column::angular_velocity>()[row] = g.angular_velocity;
-      this->template get<column::torque>()[row] = {0, 0, 0};
-      this->template get<column::inverse_inertia>()[row] = 2.5 / (mass * g.radius * g.radius);
+      rows<row::spin>()[k] = {g.angular_velocity, 0};
+      rows<row::torque>()[k] = {{0, 0, 0}, 2.5 / (mass * g.radius * g.radius)};
     }
-    if constexpr (CountsContacts) this->template get<column::contacts>()[row] = 0;
   }
 
   /// Row of every id, so that a grain can be found again after the rows were put in spatial order.
   std::vector<std::size_t> rows_by_id() const {
-    std::vector<std::size_t> rows(this->size());
-    const auto ids = this->template get<column::id>();
-    for (std::size_t row = 0; row < rows.size(); ++row) rows[static_cast<std::size_t>(ids[row])] = row;
-    return rows;
+    std::vector<std::size_t> found(size());
+    const auto ids = get<column::id>();
+    for (std::size_t k = 0; k < found.size(); ++k) found[static_cast<std::size_t>(ids[k])] = k;
+    return found;
   }
 
   /// The grain of a row as the user would give it again.
-  grain operator[](std::size_t row) const {
-    const double radius = this->template get<column::radius>()[row];
-    const double mass = 1.0 / this->template get<column::inverse_mass>()[row];
-    grain g{this->template get<column::position>()[row], radius,
-            mass / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius),
-            this->template get<column::velocity>()[row]};
-    if constexpr (Rotates) g.angular_velocity = this->template get<column::angular_velocity>()[row];
+  grain operator[](std::size_t k) const {
+    const auto& place = rows<row::place>()[k];
+    const auto& motion = rows<row::motion>()[k];
+    const double r = place.radius;
+    grain g{place.position, r, 1.0 / motion.inverse_mass / (4.0 / 3.0 * std::numbers::pi * r * r * r), motion.velocity};
+    if constexpr (Rotates) g.angular_velocity = get<column::angular_velocity>()[k];
     return g;
   }
 
  private:
+  template <class Column, class Table>
+  static auto seen_as_column(Table& t) {
+    if constexpr (std::is_same_v<Column, column::id>) {
+      return t.template get<column::id>();
+    } else {
+      const auto all = t.template get<detail::rows_of<typename Column::row>>();
+      using value = std::remove_reference_t<decltype(Column::in(all[0]))>;
+      return strided<value>(all.empty() ? nullptr : &Column::in(all[0]), all.size(), sizeof(typename Column::row));
+    }
+  }
+
   static void validate(const grain& g) {
     constexpr auto page = "docs/reference/grains.md";
     expects(g.radius > 0 && std::isfinite(g.radius), "the radius of a grain (m)", g.radius, "positive and finite",
@@ -137,6 +191,8 @@ class grains : public detail::grain_columns<Rotates, CountsContacts>::type {
     const double turning = dot(g.angular_velocity, g.angular_velocity);
     expects(std::isfinite(turning), "the angular velocity of a grain (rad/s)", turning, "finite", page);
   }
+
+  table table_;
 };
 
 }  // namespace pendular

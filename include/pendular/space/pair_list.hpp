@@ -3,6 +3,7 @@
 
 #include <pendular/core/lanes.hpp>
 #include <pendular/core/parallel.hpp>
+#include <pendular/core/strided.hpp>
 #include <pendular/space/cell_grid.hpp>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ class pair_list {
   /// Makes the list for grains already stored in the order of the grid. `came_from[row]` is the row a grain had in
   /// the list before; the answer tells for every pair which pair of the old list it was, or -1. Within a chunk of grains
   /// touching pairs come first, then those with a gap below `reach`, then the rest: so most blocks are of one kind.
-  std::vector<std::int32_t> rebuild(std::span<const vector> positions, std::span<const double> radii,
+  std::vector<std::int32_t> rebuild(strided<const vector> positions, strided<const double> radii,
                                     std::span<const std::int64_t> ids, const cell_grid& grid, double range,
                                     double reach, std::span<const std::size_t> came_from) {
     const pair_list before = std::move(*this);
@@ -70,7 +71,7 @@ class pair_list {
     return -1;
   }
 
-  void find_pairs(std::span<const vector> positions, std::span<const double> radii, std::span<const std::int64_t> ids,
+  void find_pairs(strided<const vector> positions, strided<const double> radii, std::span<const std::int64_t> ids,
                   const cell_grid& grid, double reach) {
     const std::vector<std::size_t> starts = grid.starts();
     std::vector<std::array<std::vector<std::int32_t>, 3>> found(chunk_count(positions.size(), chunk));

@@ -302,7 +302,8 @@ class system {
                       cell_grid(position, edge), range, range - skin_, order);
     contacts_.carry(origin, grains_, list_, material_);
     relist_walls(origin, order, range);
-    listed_at_.assign(position.begin(), position.end());
+    const auto places = grains_.template rows<row::place>();
+    listed_at_.assign(places.begin(), places.end());
     wall_travel_ = 0;
     stale_ = false;
     ++rebuilds_;
@@ -378,7 +379,7 @@ class system {
   contacts_type contacts_;
   typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type wall_contacts_;
   wall_loads<grains_type> loads_;
-  std::vector<vector> listed_at_;
+  std::vector<row::place> listed_at_;
   box domain_{};
   bond_selection selection_;
   bond_events events_;

@@ -40,15 +40,25 @@ class wall_loads {
     }
   }
 
-  /// On a grain, all zeros where no wall is near.
-  const action<Grains::rotate>& on(std::size_t row) const {
-    return place_[row] < 0 ? nothing_ : loads_[static_cast<std::size_t>(place_[row])];
-  }
+  /// To be kept in a local variable.
+  class view {
+   public:
+    view(const std::int32_t* place, const action<Grains::rotate>* loads) : place_(place), loads_(loads) {}
+    /// On a grain, all zeros where no wall is near.
+    const action<Grains::rotate>& on(std::size_t row) const {
+      static constexpr action<Grains::rotate> nothing{};
+      return place_[row] < 0 ? nothing : loads_[place_[row]];
+    }
+
+   private:
+    const std::int32_t* place_;
+    const action<Grains::rotate>* loads_;
+  };
+  view by_grain() const { return {place_.data(), loads_.data()}; }
 
  private:
   std::vector<std::int32_t> place_;  // of a grain among the loads, or -1
   std::vector<action<Grains::rotate>> loads_;
-  action<Grains::rotate> nothing_{};
 };
 
 }  // namespace pendular

@@ -32,9 +32,19 @@ class pair_list {
   std::span<const std::int32_t> second() const { return second_; }
 
   /// Pairs of a grain, sorted by the partner's id: sums over them do not depend on the storage order.
-  std::span<const incidence> pairs_of(std::size_t row) const {
-    return {incidences_.data() + start_[row], incidences_.data() + start_[row + 1]};
-  }
+  std::span<const incidence> pairs_of(std::size_t row) const { return by_grain().of(row); }
+
+  /// The same for loops over many grains, to be kept in a local variable.
+  class view {
+   public:
+    view(const std::size_t* start, const incidence* all) : start_(start), all_(all) {}
+    std::span<const incidence> of(std::size_t row) const { return {all_ + start_[row], all_ + start_[row + 1]}; }
+
+   private:
+    const std::size_t* start_;
+    const incidence* all_;
+  };
+  view by_grain() const { return {start_.data(), incidences_.data()}; }
 
   /// Makes the list for grains already stored in the order of the grid. `came_from[row]` is the row a grain had in
   /// the list before; the answer tells for every pair which pair of the old list it was, or -1. Within a chunk of grains

@@ -302,7 +302,7 @@ class system {
                       cell_grid(position, edge), range, range - skin_, order);
     contacts_.carry(origin, grains_, list_, material_);
     relist_walls(origin, order, range);
-    const auto places = grains_.template rows<row::place>();
+    const auto places = grains_.template rows<grain_row::place>();
     listed_at_.assign(places.begin(), places.end());
     wall_travel_ = 0;
     stale_ = false;
@@ -379,7 +379,7 @@ class system {
   contacts_type contacts_;
   typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type wall_contacts_;
   wall_loads<grains_type> loads_;
-  std::vector<row::place> listed_at_;
+  std::vector<grain_row::place> listed_at_;
   box domain_{};
   bond_selection selection_;
   bond_events events_;

@@ -146,14 +146,14 @@ class wall_contacts {
   template <class Grains>
   encounter<block> meet(const Grains& g, const meeting<block>& m, const block& radius, const block& mass,
                         const std::int32_t* rows, const vector& wall_velocity, double time_step) const {
-    const quad_block motion = gather(g.template rows<row::motion>().data(), rows);
+    const quad_block motion = gather(g.template rows<grain_row::motion>().data(), rows);
     const Vec3<block> velocity{motion.a, motion.b, motion.c};
     encounter<block> e;
     e.normal = m.normal;
     e.velocity = velocity - Vec3<block>{block(wall_velocity.x), block(wall_velocity.y), block(wall_velocity.z)};
     e.approaching = {m.gap, dot(e.velocity, e.normal), mass, radius, block(std::numeric_limits<double>::infinity())};
     if constexpr (Grains::rotate && (Material::has_friction || (carries_bridges && Bonds::is_viscous))) {
-      const quad_block turn = gather(g.template rows<row::spin>().data(), rows);
+      const quad_block turn = gather(g.template rows<grain_row::spin>().data(), rows);
       const Vec3<block> spin{turn.a, turn.b, turn.c};
       e.rolling = cross(block(radius + m.gap) * spin, e.normal);
       e.twist = (0.5 * time_step) * dot(spin, e.normal);
@@ -169,7 +169,7 @@ class wall_contacts {
   template <class Grains>
   void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
                       const contact_clock& clock, std::size_t k, lane_findings& found) {
-    const quad_block place = gather(g.template rows<row::place>().data(), rows_.data() + k);
+    const quad_block place = gather(g.template rows<grain_row::place>().data(), rows_.data() + k);
     const block& radius = place.d;
     const meeting<block> m = w.shape.meet(Vec3<block>{place.a, place.b, place.c}, radius);
     const block& gap = m.gap;

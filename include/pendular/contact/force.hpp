@@ -61,7 +61,7 @@ Vec3<T> traction(const Friction& law, const slip<T>& s, const T& normal_force, M
 template <class T>
 struct contact_constants {
   T reduced_mass;      // kg
-  dashpot<T> damping;  // 0 unless the material prepares it
+  prepared_dashpot<T> damping;  // 0 unless the material prepares it
 };
 
 template <class T, class Material>
@@ -76,7 +76,7 @@ contact_constants<T> constants_of(const Material& material, const T& reduced_mas
 
 namespace detail {
 template <class T, class Material>
-T damping(const Material& material, const approach<T>& a, const dashpot<T>& prepared) {
+T damping(const Material& material, const approach<T>& a, const prepared_dashpot<T>& prepared) {
   if constexpr (Material::prepares_dashpot) {
     return material.damping().resistance(a, prepared);
   } else {
@@ -88,7 +88,7 @@ T damping(const Material& material, const approach<T>& a, const dashpot<T>& prep
 /// Elastic push, damping and friction of one material. The Coulomb limit takes elastic + damping, floored at 0, and
 /// never the total force, which would delete cohesion (Richefeu et al. 2007, Eq. 12).
 template <class T, class Material, class Memory>
-contact_force<T> touch(const Material& material, const encounter<T>& e, const dashpot<T>& prepared, Memory& memory,
+contact_force<T> touch(const Material& material, const encounter<T>& e, const prepared_dashpot<T>& prepared, Memory& memory,
                        double time_step) {
   const T elastic = material.normal().repulsion(e.approaching);
   contact_force<T> result{elastic, T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};

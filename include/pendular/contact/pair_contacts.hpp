@@ -103,7 +103,7 @@ class pair_contacts {
 
   template <class Grains>
   static closeness look(const Grains& g, const std::int32_t* i, const std::int32_t* j) {
-    const row::place* places = g.template rows<row::place>().data();
+    const grain_row::place* places = g.template rows<grain_row::place>().data();
     const quad_block from = gather(places, i), to = gather(places, j);
     const Vec3<block> branch{to.a - from.a, to.b - from.b, to.c - from.c};
     const block distance = norm(branch);
@@ -113,14 +113,14 @@ class pair_contacts {
   template <class Grains>
   static encounter<block> meet(const Grains& g, const std::int32_t* i, const std::int32_t* j, const closeness& c,
                                const block& reduced_mass, double time_step) {
-    const row::motion* motions = g.template rows<row::motion>().data();
+    const grain_row::motion* motions = g.template rows<grain_row::motion>().data();
     const quad_block motion_i = gather(motions, i), motion_j = gather(motions, j);
     encounter<block> e;
     e.normal = c.normal;
     e.velocity = {motion_i.a - motion_j.a, motion_i.b - motion_j.b, motion_i.c - motion_j.c};
     e.approaching = {c.gap, dot(e.velocity, e.normal), reduced_mass, c.radius_i, c.radius_j};
     if constexpr (rotates) {
-      const row::spin* spins = g.template rows<row::spin>().data();
+      const grain_row::spin* spins = g.template rows<grain_row::spin>().data();
       const quad_block turn_i = gather(spins, i), turn_j = gather(spins, j);
       const Vec3<block> spin_i{turn_i.a, turn_i.b, turn_i.c}, spin_j{turn_j.a, turn_j.b, turn_j.c};
       const block lever_i = c.radius_i + 0.5 * c.gap, lever_j = c.radius_j + 0.5 * c.gap;

@@ -42,7 +42,7 @@ namespace detail {
 /// A damping law whose part that depends on mass and stiffness alone can be made once per pair.
 template <class L>
 concept PreparesDashpot = requires(const L law, const approach<double> a, const double number) {
-  { law.prepare(number, number) } -> std::same_as<dashpot<double>>;
+  { law.prepare(number, number) } -> std::same_as<prepared_dashpot<double>>;
   { law.resistance(a, law.prepare(number, number)) } -> std::convertible_to<double>;
 };
 }  // namespace detail

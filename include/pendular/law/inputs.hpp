@@ -27,7 +27,7 @@ struct approach {
 
 /// What a damping law can prepare once per pair where the stiffness does not depend on the overlap.
 template <Scalar T>
-struct dashpot {
+struct prepared_dashpot {
   T coefficient;  // kg/s
 };
 

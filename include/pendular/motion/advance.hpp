@@ -18,7 +18,7 @@ namespace pendular {
 
 /// How far grains may go before the list must be made anew.
 struct listing {
-  std::span<const row::place> at;  // where they were listed
+  std::span<const grain_row::place> at;  // where they were listed
   double allowed;                  // m
 };
 
@@ -33,12 +33,12 @@ template <class Grains, class Integration>
 class grain_motion {
  public:
   grain_motion(Grains& g, const Integration& integrator, const listing& listed)
-      : place_(g.template rows<row::place>().data()), motion_(g.template rows<row::motion>().data()),
-        force_(g.template rows<row::force>().data()), listed_at_(listed.at.data()),
+      : place_(g.template rows<grain_row::place>().data()), motion_(g.template rows<grain_row::motion>().data()),
+        force_(g.template rows<grain_row::force>().data()), listed_at_(listed.at.data()),
         allowed_(listed.allowed * listed.allowed), move_(integrator) {
     if constexpr (Grains::rotate) {
-      spin_ = g.template rows<row::spin>().data();
-      torque_ = g.template rows<row::torque>().data();
+      spin_ = g.template rows<grain_row::spin>().data();
+      torque_ = g.template rows<grain_row::torque>().data();
     }
   }
 
@@ -58,11 +58,11 @@ class grain_motion {
   /// Second half, from the sum of all that acts on the grain. `moving` is false at the start, when forces are only
   /// stored.
   [[gnu::always_inline]] void correct(std::size_t k, const action<Grains::rotate>& sum, bool moving) const {
-    const row::force before = force_[k];
+    const grain_row::force before = force_[k];
     put(force_[k], push_of(sum));
     if (moving) move_.correct(motion_[k], before, force_[k]);
     if constexpr (Grains::rotate) {
-      const row::torque old = torque_[k];
+      const grain_row::torque old = torque_[k];
       put(torque_[k], sum.high);
       if (moving) move_.correct(spin_[k], old, torque_[k]);
       if constexpr (Grains::count_contacts) put_fourth(spin_[k], sum.low);
@@ -70,12 +70,12 @@ class grain_motion {
   }
 
  private:
-  row::place* place_;
-  row::motion* motion_;
-  row::force* force_;
-  row::spin* spin_ = nullptr;
-  row::torque* torque_ = nullptr;
-  const row::place* listed_at_;
+  grain_row::place* place_;
+  grain_row::motion* motion_;
+  grain_row::force* force_;
+  grain_row::spin* spin_ = nullptr;
+  grain_row::torque* torque_ = nullptr;
+  const grain_row::place* listed_at_;
   double allowed_;
   mover<Integration> move_;
 };

@@ -29,7 +29,7 @@ class mover {
     read(gravity_, quad{g.x, g.y, g.z, 0});
   }
 
-  void predict(row::place& place, row::motion& motion, const row::force& force) const {
+  void predict(grain_row::place& place, grain_row::motion& motion, const grain_row::force& force) const {
     if constexpr (TakesRows<Integration>) {
       four_doubles x, v, f, none{0, 0, 0, 0};
       read(x, place), read(v, motion), read(f, force);
@@ -42,7 +42,7 @@ class mover {
       integrator_.predict(place.position, motion.velocity, acceleration(motion, force.force));
     }
   }
-  void predict(row::spin& spin, const row::torque& torque) const {
+  void predict(grain_row::spin& spin, const grain_row::torque& torque) const {
     if constexpr (TakesRows<Integration>) {
       four_doubles w, t;
       read(w, spin), read(t, torque);
@@ -54,7 +54,7 @@ class mover {
       integrator_.predict_spin(spin.angular_velocity, torque.inverse_inertia * torque.torque);
     }
   }
-  void correct(row::motion& motion, const row::force& before, const row::force& now) const {
+  void correct(grain_row::motion& motion, const grain_row::force& before, const grain_row::force& now) const {
     if constexpr (TakesRows<Integration>) {
       four_doubles v, f, g;
       read(v, motion), read(f, before), read(g, now);
@@ -67,7 +67,7 @@ class mover {
       integrator_.correct(motion.velocity, acceleration(motion, before.force), acceleration(motion, now.force));
     }
   }
-  void correct(row::spin& spin, const row::torque& before, const row::torque& now) const {
+  void correct(grain_row::spin& spin, const grain_row::torque& before, const grain_row::torque& now) const {
     if constexpr (TakesRows<Integration>) {
       four_doubles w, t, u;
       read(w, spin), read(t, before), read(u, now);
@@ -83,7 +83,7 @@ class mover {
   }
 
  private:
-  vector acceleration(const row::motion& motion, const vector& force) const {
+  vector acceleration(const grain_row::motion& motion, const vector& force) const {
     return motion.inverse_mass * force + integrator_.gravity;
   }
 

@@ -27,7 +27,7 @@ struct grain {
 };
 
 // Four numbers that are read and written together lie together, as pairs and integrators take them.
-namespace row {
+namespace grain_row {
 struct alignas(32) place {
   vector position;  // m
   double radius;    // m
@@ -48,7 +48,7 @@ struct alignas(32) torque {
   vector torque;           // N m
   double inverse_inertia;  // 1/(kg m2)
 };
-}  // namespace row
+}  // namespace grain_row
 
 namespace column {
 template <class Row, auto Member>
@@ -56,20 +56,20 @@ struct member_of {
   using row = Row;
   static auto& in(auto& r) { return r.*Member; }
 };
-struct position : member_of<row::place, &row::place::position> {};
-struct radius : member_of<row::place, &row::place::radius> {};
-struct velocity : member_of<row::motion, &row::motion::velocity> {};
-struct inverse_mass : member_of<row::motion, &row::motion::inverse_mass> {};
-struct force : member_of<row::force, &row::force::force> {};
+struct position : member_of<grain_row::place, &grain_row::place::position> {};
+struct radius : member_of<grain_row::place, &grain_row::place::radius> {};
+struct velocity : member_of<grain_row::motion, &grain_row::motion::velocity> {};
+struct inverse_mass : member_of<grain_row::motion, &grain_row::motion::inverse_mass> {};
+struct force : member_of<grain_row::force, &grain_row::force::force> {};
 struct id {
   using type = std::int64_t;
 };
 // Only where there is friction:
-struct angular_velocity : member_of<row::spin, &row::spin::angular_velocity> {};
-struct torque : member_of<row::torque, &row::torque::torque> {};
-struct inverse_inertia : member_of<row::torque, &row::torque::inverse_inertia> {};
+struct angular_velocity : member_of<grain_row::spin, &grain_row::spin::angular_velocity> {};
+struct torque : member_of<grain_row::torque, &grain_row::torque::torque> {};
+struct inverse_inertia : member_of<grain_row::torque, &grain_row::torque::inverse_inertia> {};
 // Only where the friction law counts contacts:
-struct contacts : member_of<row::spin, &row::spin::contacts> {};
+struct contacts : member_of<grain_row::spin, &grain_row::spin::contacts> {};
 }  // namespace column
 
 namespace detail {
@@ -82,11 +82,11 @@ using grain_table = columns<column::id, rows_of<Rows>...>;
 
 template <bool Rotates>
 struct grain_rows_of {
-  using type = grain_table<row::place, row::motion, row::force>;
+  using type = grain_table<grain_row::place, grain_row::motion, grain_row::force>;
 };
 template <>
 struct grain_rows_of<true> {
-  using type = grain_table<row::place, row::motion, row::force, row::spin, row::torque>;
+  using type = grain_table<grain_row::place, grain_row::motion, grain_row::force, grain_row::spin, grain_row::torque>;
 };
 }  // namespace detail
 
@@ -140,13 +140,13 @@ class grains {
     const std::size_t k = size();
     table_.resize(k + 1);
     const double mass = 4.0 / 3.0 * std::numbers::pi * g.radius * g.radius * g.radius * g.density;
-    rows<row::place>()[k] = {g.position, g.radius};
-    rows<row::motion>()[k] = {g.velocity, 1.0 / mass};
-    rows<row::force>()[k] = {{0, 0, 0}, 0};
+    rows<grain_row::place>()[k] = {g.position, g.radius};
+    rows<grain_row::motion>()[k] = {g.velocity, 1.0 / mass};
+    rows<grain_row::force>()[k] = {{0, 0, 0}, 0};
     get<column::id>()[k] = static_cast<std::int64_t>(k);
     if constexpr (Rotates) {
-      rows<row::spin>()[k] = {g.angular_velocity, 0};
-      rows<row::torque>()[k] = {{0, 0, 0}, 2.5 / (mass * g.radius * g.radius)};
+      rows<grain_row::spin>()[k] = {g.angular_velocity, 0};
+      rows<grain_row::torque>()[k] = {{0, 0, 0}, 2.5 / (mass * g.radius * g.radius)};
     }
   }
 
@@ -160,8 +160,8 @@ class grains {
 
   /// The grain of a row as the user would give it again.
   grain operator[](std::size_t k) const {
-    const auto& place = rows<row::place>()[k];
-    const auto& motion = rows<row::motion>()[k];
+    const auto& place = rows<grain_row::place>()[k];
+    const auto& motion = rows<grain_row::motion>()[k];
     const double r = place.radius;
     grain g{place.position, r, 1.0 / motion.inverse_mass / (4.0 / 3.0 * std::numbers::pi * r * r * r), motion.velocity};
     if constexpr (Rotates) g.angular_velocity = get<column::angular_velocity>()[k];

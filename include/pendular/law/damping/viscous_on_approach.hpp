@@ -18,12 +18,12 @@ struct viscous_on_approach {
   }
 
   template <Scalar T>
-  dashpot<T> prepare(const T& reduced_mass, const T& stiffness) const {
+  prepared_dashpot<T> prepare(const T& reduced_mass, const T& stiffness) const {
     const T root = sqrt(T(reduced_mass * stiffness));
     return {T(2.0 * damping_rate) * root};
   }
   template <Scalar T>
-  T resistance(const approach<T>& a, const dashpot<T>& made) const {
+  T resistance(const approach<T>& a, const prepared_dashpot<T>& made) const {
     const T touching = unit_step(T(-a.gap));
     return made.coefficient * max(a.closing_speed, T(0)) * touching;
   }

@@ -9,6 +9,8 @@
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/stiffness.hpp>
 
+#include <Eigen/Core>
+
 #include <limits>
 
 using namespace pendular;
@@ -76,7 +78,7 @@ TEST_CASE("the stiffness by automatic differentiation is the analytic one") {
 }
 
 TEST_CASE("the stiffness of lanes is found lane by lane") {
-  using eight = lanes<8>;
+  using eight = Eigen::Array<double, 8, 1>;
   eight gap;
   gap << -1e-6, -2e-6, -3e-6, 1e-6, 0.5, -1e-9, -1e-7, -4e-6;
   const approach<eight> a{gap, eight(0), eight(1), eight(5e-4), eight(1e-3)};

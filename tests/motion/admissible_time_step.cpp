@@ -4,6 +4,7 @@
 #include "../catch.hpp"
 
 #include <pendular/boundary/plane.hpp>
+#include <pendular/core/as_eigen.hpp>
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>

@@ -3,6 +3,8 @@
 
 #include <pendular/core/vec.hpp>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -20,6 +22,10 @@
 #endif
 
 namespace pendular {
+
+/// W scalars at a time: one SIMD register or a few, whatever the machine has.
+template <int W>
+using lanes = Eigen::Array<double, W, 1>;
 
 /// Pairs are evaluated this many at a time. Fixed, so that results do not depend on the machine's register width.
 inline constexpr int lane_count = 8;

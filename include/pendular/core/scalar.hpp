@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <concepts>
 #include <type_traits>
@@ -21,8 +19,11 @@ concept Scalar = std::copy_constructible<T> && std::constructible_from<T, double
 };
 
 namespace detail {
+// An array inherits the name of its base. That is all there is to ask, so that a law's header comes without Eigen.
 template <class T>
-concept EigenArray = std::is_base_of_v<Eigen::ArrayBase<std::remove_cvref_t<T>>, std::remove_cvref_t<T>>;
+concept EigenArray = requires {
+  typename std::remove_cvref_t<T>::ArrayBase;
+};
 
 /// The element type behind lanes; the type itself for every other scalar.
 template <class T>
@@ -165,10 +166,6 @@ inline constexpr detail::max_fn max{};
 inline constexpr detail::min_fn min{};
 inline constexpr detail::unit_step_fn unit_step{};
 inline constexpr detail::select_fn select{};
-
-/// W scalars at a time: one SIMD register or a few, whatever the machine has.
-template <int W>
-using lanes = Eigen::Array<double, W, 1>;
 
 /// A divisor is never allowed below this, so that 0/0 becomes 0 in every scalar, float included.
 inline constexpr double tiny = 1e-30;

@@ -3,8 +3,6 @@
 
 #include <pendular/core/scalar.hpp>
 
-#include <Eigen/Core>
-
 namespace pendular {
 
 /// Three components of any Scalar. A plain struct, because an Eigen vector cannot hold lanes as coefficients.
@@ -73,8 +71,6 @@ Vec3<T> shortened_to(const Vec3<T>& a, const T& length) {
   const T factor = allowed / longest;
   return factor * a;
 }
-
-inline Eigen::Vector3d as_eigen(const Vec3<double>& a) { return {a.x, a.y, a.z}; }
 
 using vector = Vec3<double>;
 

@@ -3,6 +3,7 @@
 
 #include <pendular/law/concepts.hpp>
 
+#include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
 #include <type_traits>

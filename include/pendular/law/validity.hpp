@@ -3,7 +3,6 @@
 
 #include <pendular/law/inputs.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +18,7 @@ struct validity {
   bool planes = false;                                  // walls too; a scene with wettable walls asks for it
 
   bool covers(const bridge<double>& b, const fluid& f) const {
-    const double ratio = std::max(b.radius_i, b.radius_j) / std::min(b.radius_i, b.radius_j);
+    const double ratio = max(b.radius_i, b.radius_j) / min(b.radius_i, b.radius_j);
     const double radius = mean_radius(b), volume = b.volume / (radius * radius * radius);
     return volume >= least_volume && volume <= largest_volume && f.contact_angle <= largest_contact_angle &&
            (is_at_wall(b) ? planes : ratio <= largest_ratio);

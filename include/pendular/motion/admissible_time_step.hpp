@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/contact/material.hpp>
+#include <pendular/core/as_eigen.hpp>
 #include <pendular/law/stiffness.hpp>
 #include <pendular/liquid/bonds.hpp>
 #include <pendular/space/grains.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/as_eigen.hpp>
 #include <pendular/core/vec.hpp>
 #include <pendular/observe/pairs_in_order.hpp>
 #include <pendular/space/grains.hpp>

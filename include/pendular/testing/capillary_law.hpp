@@ -8,6 +8,8 @@
 #include <pendular/testing/samples.hpp>
 #include <pendular/testing/scalars.hpp>
 
+#include <Eigen/Core>
+
 #include <cmath>
 
 namespace pendular::testing {
@@ -121,7 +123,8 @@ report capillary_law_report(const Law& law, const fluid& f) {
   }
   using lanes_of_float = Eigen::Array<float, 16, 1>;
   detail::demand_capillary_in<float>(broken, law, f, "the attraction must be the same in float");
-  detail::demand_capillary_in<lanes<8>>(broken, law, f, "the attraction must be the same in lanes of double");
+  detail::demand_capillary_in<Eigen::Array<double, 8, 1>>(broken, law, f,
+                                                          "the attraction must be the same in lanes of double");
   detail::demand_capillary_in<lanes_of_float>(broken, law, f, "the attraction must be the same in lanes of float");
   detail::demand_capillary_in<dual>(broken, law, f, "the attraction must be the same under automatic differentiation");
   return broken;

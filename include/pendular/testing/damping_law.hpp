@@ -6,6 +6,8 @@
 #include <pendular/testing/samples.hpp>
 #include <pendular/testing/scalars.hpp>
 
+#include <Eigen/Core>
+
 namespace pendular::testing {
 
 namespace detail {
@@ -55,7 +57,8 @@ report damping_law_report(const Law& law) {
     }
   }
   detail::demand_damping_in<float>(broken, law, "the resistance must be the same in float");
-  detail::demand_damping_in<lanes<8>>(broken, law, "the resistance must be the same in lanes of double");
+  detail::demand_damping_in<Eigen::Array<double, 8, 1>>(broken, law,
+                                                        "the resistance must be the same in lanes of double");
   detail::demand_damping_in<Eigen::Array<float, 16, 1>>(broken, law,
                                                         "the resistance must be the same in lanes of float");
   detail::demand_damping_in<dual>(broken, law, "the resistance must be the same under automatic differentiation");

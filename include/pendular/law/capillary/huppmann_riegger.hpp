@@ -4,8 +4,7 @@
 #include <pendular/law/capillary/pair_radius.hpp>
 #include <pendular/law/validity.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include <numbers>
 
 namespace pendular::capillary {
 
@@ -30,7 +29,7 @@ struct huppmann_riegger {
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const T radius = harmonic_radius(b);
     return {T(f.surface_tension) + T(0) * radius, radius, reduced_volume(b.volume, radius, 1e-14),
-            T(std::min(f.contact_angle, 1.2)) + T(0) * radius};
+            T(min(f.contact_angle, 1.2)) + T(0) * radius};
   }
 
   template <Scalar T>

@@ -51,18 +51,6 @@ TEST_CASE("a vector is shortened, never lengthened, and zero stays zero") {
   CHECK(shortened_to(vector{0, 0, 0}, 1.0) == vector{0, 0, 0});
 }
 
-TEST_CASE("blocks are gathered row by row, repeated rows included") {
-  const std::array<double, 4> numbers{10, 20, 30, 40};
-  const std::array<vector, 3> vectors{vector{1, 2, 3}, vector{4, 5, 6}, vector{7, 8, 9}};
-  const std::array<std::int32_t, 8> rows{3, 0, 1, 2, 2, 2, 2, 2};
-  const block found = gather(numbers.data(), rows.data());
-  CHECK((found(0) == 40 && found(1) == 10 && found(2) == 20 && found(7) == 30));
-  const std::array<std::int32_t, 8> of_vectors{2, 0, 1, 1, 1, 1, 1, 0};
-  const Vec3<block> v = gather(vectors.data(), of_vectors.data());
-  CHECK((v.x(0) == 7 && v.y(0) == 8 && v.z(0) == 9));
-  CHECK((v.x(7) == 1 && v.y(6) == 5 && v.z(1) == 3));
-}
-
 TEST_CASE("rows are padded to whole blocks") {
   CHECK(padded(0) == 0);
   CHECK(padded(1) == 8);

@@ -60,7 +60,7 @@ Vec3<T> traction(const Friction& law, const slip<T>& s, const T& normal_force, M
 /// What of a contact is the same as long as its pair is.
 template <class T>
 struct contact_constants {
-  T reduced_mass;      // kg
+  T reduced_mass;               // kg
   prepared_dashpot<T> damping;  // 0 unless the material prepares it
 };
 
@@ -88,8 +88,8 @@ T damping(const Material& material, const approach<T>& a, const prepared_dashpot
 /// Elastic push, damping and friction of one material. The Coulomb limit takes elastic + damping, floored at 0, and
 /// never the total force, which would delete cohesion (Richefeu et al. 2007, Eq. 12).
 template <class T, class Material, class Memory>
-contact_force<T> touch(const Material& material, const encounter<T>& e, const prepared_dashpot<T>& prepared, Memory& memory,
-                       double time_step) {
+contact_force<T> touch(const Material& material, const encounter<T>& e, const prepared_dashpot<T>& prepared,
+                       Memory& memory, double time_step) {
   const T elastic = material.normal().repulsion(e.approaching);
   contact_force<T> result{elastic, T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
   if constexpr (Material::has_damping) {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <pendular/core/strided.hpp>
 #include <pendular/io/atomic_file.hpp>
 #include <pendular/io/number.hpp>
 
@@ -28,7 +29,7 @@ struct field {
 
   field(std::string name_, int components_, std::vector<double> values_)
       : name{std::move(name_)}, components{components_}, values{std::move(values_)} {}
-  field(std::string name_, int components_, std::span<const double> values_)
+  field(std::string name_, int components_, strided<const double> values_)
       : field{std::move(name_), components_, std::vector<double>(values_.begin(), values_.end())} {}
 };
 

@@ -19,7 +19,7 @@ namespace pendular {
 /// How far grains may go before the list must be made anew.
 struct listing {
   std::span<const grain_row::place> at;  // where they were listed
-  double allowed;                  // m
+  double allowed;                        // m
 };
 
 /// What comes after the second half of a step.

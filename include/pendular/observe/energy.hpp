@@ -88,6 +88,18 @@ void add_pairs(const System& s, energies& e) {
   }
 }
 
+/// Of the bridges at one wall. A function of its own, so that a dry system is never asked for its bridges.
+template <class System, class WallContacts>
+double bridge_energy_at(const System& s, const WallContacts& contacts) {
+  if constexpr (WallContacts::carries_bridges) {
+    const auto view = s.view();
+    return sum(indices(contacts.size()),
+               [&](std::size_t k) { return s.bridges().energy(contacts.bond_row(k), contacts.gap(k), view); });
+  } else {
+    return 0;
+  }
+}
+
 template <class System>
 void add_walls(const System& s, energies& e) {
   const auto radius = s.particles().template get<column::radius>();
@@ -103,12 +115,7 @@ void add_walls(const System& s, energies& e) {
       });
     }
     add_springs(m, contacts.memories(), indices(contacts.size()), e);
-    if constexpr (std::remove_cvref_t<decltype(contacts)>::carries_bridges) {
-      const auto view = s.view();
-      e.capillary -= sum(indices(contacts.size()), [&](std::size_t k) {
-        return s.bridges().energy(contacts.bond_row(k), contacts.gap(k), view);
-      });
-    }
+    e.capillary -= bridge_energy_at(s, contacts);
     const auto work = contacts.work().total();
     e.damping += work.damping;
     e.friction += work.friction;

@@ -131,6 +131,9 @@ class grains {
     return table_.template get<detail::rows_of<Row>>();
   }
 
+  /// New rows are zero and must be written as a whole.
+  void resize(std::size_t size) { table_.resize(size); }
+
   /// Row k becomes what was row order[k]; order must be a permutation of 0 .. size() - 1.
   void permute(std::span<const std::size_t> order) { table_.permute(order); }
 

@@ -9,6 +9,7 @@
 #include <pendular/motion/admissible_time_step.hpp>
 #include <pendular/motion/advance.hpp>
 #include <pendular/motion/scene_check.hpp>
+#include <pendular/motion/skin.hpp>
 #include <pendular/motion/trouble.hpp>
 #include <pendular/motion/velocity_verlet.hpp>
 #include <pendular/space/grains.hpp>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -29,7 +31,7 @@ struct dry {};
 
 /// Numbers that are not physics.
 struct run_options {
-  double skin = 0.2;           // of the Verlet list, in units of the smallest radius
+  std::optional<double> skin;  // of the Verlet list, in units of the smallest radius; empty: the cheapest
   double overlap_limit = 0.1;  // a larger overlap, in units of the smaller radius, stops the run
   double domain_margin = 10;   // a grain this many sizes of the first packing away from it is lost
   bool force = false;          // run even if the scene breaks a limit
@@ -230,8 +232,8 @@ class system {
   void check_arguments() const {
     constexpr auto page = "docs/reference/system.md";
     validate(integrator_);
-    expects(options_.skin > 0 && options_.skin < 10, "the skin in units of the smallest radius", options_.skin,
-            "in (0, 10)", page);
+    const double skin = options_.skin.value_or(1);
+    expects(skin > 0 && skin < 10, "the skin in units of the smallest radius", skin, "in (0, 10)", page);
     expects(options_.overlap_limit > 0 && options_.overlap_limit < 1, "the overlap limit in units of the radius",
             options_.overlap_limit, "in (0, 1)", page);
     if constexpr (wet) {
@@ -244,7 +246,7 @@ class system {
 
   box around(const box& b) const {
     const vector size = b.upper - b.lower;
-    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii().second);
+    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii(grains_).second);
     const vector all_around{margin, margin, margin};
     return {b.lower - all_around, b.upper + all_around};
   }
@@ -256,12 +258,6 @@ class system {
       if constexpr (requires { wall.drive.stress; }) largest = std::max(largest, wall.drive.stress);
     });
     return largest;
-  }
-
-  std::pair<double, double> extreme_radii() const {
-    const auto r = grains_.template get<column::radius>();
-    const auto [small, large] = std::minmax_element(r.begin(), r.end());
-    return {*small, *large};
   }
 
   /// From the first half of this step on, to the first half of the next if there is one.
@@ -282,8 +278,8 @@ class system {
 
   void rebuild() {
     check_grains(grains_, domain_, steps_);
-    const auto [small, large] = extreme_radii();
-    skin_ = options_.skin * small;
+    const auto [small, large] = extreme_radii(grains_);
+    skin_ = small * options_.skin.value_or(cheapest_skin(longest_way(*this) / small));
     double range = skin_;
     if constexpr (wet) {
       const pair_view before = view();

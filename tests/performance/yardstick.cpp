@@ -24,6 +24,7 @@ namespace {
 constexpr int rounds = 9;
 const yardstick::parameters p;
 const velocity_verlet integrator{p.time_step, {0, 0, p.gravity}};
+const run_options options{.skin = p.skin};  // the same lists on both sides
 
 template <class System>
 double distance(const System& s, const yardstick::box& by_hand) {
@@ -65,7 +66,7 @@ void fill(System& s, const packing::sample& sample) {
 
 void smooth(const packing::sample& sample, int slice) {
   pendular::system s{material{normal::linear{p.stiffness}, damping::viscous{p.damping}},
-                     packing::box_of(sample.size, boundary::fixed{}), integrator};
+                     packing::box_of(sample.size, boundary::fixed{}), integrator, options};
   fill(s, sample);
   using namespace yardstick;
   compare("smooth", s, smooth_scene<listed_forces>(sample.grains, sample.size, p), slice);
@@ -77,7 +78,7 @@ void dry_spring(const packing::sample& sample, int slice) {
   using listed = dry_scene<listed_actions>;
   pendular::system s{material{normal::linear{p.stiffness}, damping::viscous{p.damping},
                               friction::coulomb_spring{listed::tangential_stiffness, p.friction}},
-                     packing::box_of(sample.size, boundary::fixed{}), integrator};
+                     packing::box_of(sample.size, boundary::fixed{}), integrator, options};
   fill(s, sample);
   compare("dry", s, listed(sample.grains, sample.size, p), slice);
   compare("dry, straight", s, dry_scene<straight_actions>(sample.grains, sample.size, p), slice);
@@ -90,7 +91,7 @@ void wet(const packing::sample& sample, int slice) {
                      rupture::lian{}};
   pendular::system s{material{normal::linear{p.stiffness}, damping::viscous{p.damping},
                               friction::viscous_coulomb{listed::viscosity, p.friction}},
-                     water, packing::box_of(sample.size, boundary::fixed{}), integrator};
+                     water, packing::box_of(sample.size, boundary::fixed{}), integrator, options};
   fill(s, sample);
   double mass = 0;
   for (const double inverse : s.particles().get<column::inverse_mass>()) mass += 1 / inverse;

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pendular {
@@ -197,5 +198,13 @@ class grains {
 
   table table_;
 };
+
+/// Smallest and largest, m.
+template <class Grains>
+std::pair<double, double> extreme_radii(const Grains& g) {
+  const auto r = g.template get<column::radius>();
+  const auto [small, large] = std::minmax_element(r.begin(), r.end());
+  return {*small, *large};
+}
 
 }  // namespace pendular

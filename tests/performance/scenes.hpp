@@ -20,6 +20,8 @@ constexpr double damping_rate = 0.8;        // alpha_n
 constexpr double surface_tension = 0.0637;  // gamma, N/m
 constexpr double water_content = 0.01;      // mass of the water over that of the grains
 
+// A large packing is a pile of blocks that nothing holds but gravity, which presses the lowest more than a user may ask for.
+inline const run_options options{.force = true};
 inline const velocity_verlet integrator{1e-6, {0, 0, -9.81}};
 inline const normal::linear spring{normal_stiffness};
 inline const damping::viscous dashpot{damping_rate};
@@ -46,28 +48,28 @@ inline auto box(const packing::sample& sample) { return packing::box_of(sample.s
 /// The paper's.
 inline auto wet(const packing::sample& sample) {
   return filled(pendular::system{material{spring, dashpot, friction::viscous_coulomb{1.0, 0.4}},
-                                 water(capillary::richefeu{}), box(sample), integrator},
+                                 water(capillary::richefeu{}), box(sample), integrator, options},
                 sample);
 }
 
 inline auto wet_spring(const packing::sample& sample) {
   return filled(pendular::system{material{spring, dashpot, sliding_spring, energy_book{}}, water(capillary::richefeu{}),
-                                 box(sample), integrator},
+                                 box(sample), integrator, options},
                 sample);
 }
 
 inline auto wet_willett(const packing::sample& sample) {
   return filled(pendular::system{material{spring, dashpot, sliding_spring}, water(capillary::willett_closed_form{}),
-                                 box(sample), integrator},
+                                 box(sample), integrator, options},
                 sample);
 }
 
 inline auto dry(const packing::sample& sample) {
-  return filled(pendular::system{material{spring, dashpot, sliding_spring}, box(sample), integrator}, sample);
+  return filled(pendular::system{material{spring, dashpot, sliding_spring}, box(sample), integrator, options}, sample);
 }
 
 inline auto smooth(const packing::sample& sample) {
-  return filled(pendular::system{material{spring, dashpot}, box(sample), integrator}, sample);
+  return filled(pendular::system{material{spring, dashpot}, box(sample), integrator, options}, sample);
 }
 
 }  // namespace scenes

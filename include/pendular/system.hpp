@@ -135,7 +135,7 @@ class system {
   void run(std::int64_t steps) {
     start();
     if (steps > 0) stale_ |= predict(grains_, integrator_, listing{listed_at_, 0.5 * skin_});
-    for (std::int64_t k = 1; k <= steps; ++k) step(k < steps ? then::next_step : then::nothing);
+    for (std::int64_t k = 1; k <= steps; ++k) step(k < steps ? followed_by::next_step : followed_by::nothing);
   }
 
   const grains_type& particles() const { return grains_; }
@@ -261,7 +261,7 @@ class system {
   }
 
   /// From the first half of this step on, to the first half of the next if there is one.
-  void step(then what) {
+  void step(followed_by what) {
     for_each_wall([&](auto& wall, auto&) {
       wall.move(integrator_.time_step);
       wall_travel_ += norm(wall.drive.velocity) * integrator_.time_step;
@@ -346,7 +346,7 @@ class system {
     stale_ |= bonds_.formation_reach(v) + skin_ > list_.range();  // liquid has gathered on a grain
   }
 
-  void evaluate(bool moving, then what = then::nothing) {
+  void evaluate(bool moving, followed_by what = followed_by::nothing) {
     const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
     contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);

@@ -36,6 +36,17 @@ struct bad_spring {
   }
 };
 
+/// Stiffer the deeper, and says it is not.
+struct spring_said_to_be_linear {
+  static constexpr bool has_constant_stiffness = true;
+
+  template <Scalar T>
+  T repulsion(const approach<T>& a) const {
+    const T overlap = max(T(-a.gap), T(0));
+    return overlap * overlap;
+  }
+};
+
 struct spring_in_double_only {
   double repulsion(const approach<double>& a) const { return max(-a.gap, 0.0); }
 };
@@ -73,6 +84,16 @@ struct bad_dashpot {
     if (made == mistake::lopsided) return force * touching * min(a.radius_i, T(1));
     if (made == mistake::blows_up) return force * touching * (stiffness / stiffness);
     return force * touching;
+  }
+};
+struct dashpot_prepared_wrongly : bad_dashpot {
+  dashpot_prepared_wrongly() : bad_dashpot{mistake::none} {}
+  using bad_dashpot::resistance;
+  prepared_dashpot<double> prepare(double reduced_mass, double stiffness) const {
+    return {std::sqrt(reduced_mass + stiffness)};
+  }
+  double resistance(const approach<double>& a, const prepared_dashpot<double>& made_before) const {
+    return made_before.coefficient * a.closing_speed * unit_step(-a.gap);
   }
 };
 struct dashpot_in_double_only {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/contact/action.hpp>
+#include <pendular/contact/action_row.hpp>
 #include <pendular/contact/bridge_force.hpp>
 #include <pendular/contact/clock.hpp>
 #include <pendular/contact/findings.hpp>
@@ -73,7 +73,7 @@ class pair_contacts {
 
   /// Force on the first grain of a pair, N.
   vector force(std::size_t p) const { return vector_of(push_of(actions_[p])); }
-  const action<rotates>* actions() const { return actions_.data(); }
+  const action_row<rotates>* actions() const { return actions_.data(); }
 
   scalar_table<memory>& memories() { return memory_; }
   const scalar_table<memory>& memories() const { return memory_; }
@@ -206,7 +206,7 @@ class pair_contacts {
 
   scalar_table<memory> memory_;
   scalar_table<contact_constants> constants_;
-  std::vector<action<rotates>> actions_;
+  std::vector<action_row<rotates>> actions_;
   std::vector<char> busy_;  // per block: the most that one of its pairs did in the last step
   gap_record<Bonds::forms_on_closing> gaps_;
   work_sums_if<Material::keeps_energy_book> work_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/contact/action.hpp>
+#include <pendular/contact/action_row.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +29,7 @@ class wall_loads {
     }
   }
 
-  void clear() { std::fill(loads_.begin(), loads_.end(), action<Grains::rotate>{}); }
+  void clear() { std::fill(loads_.begin(), loads_.end(), action_row<Grains::rotate>{}); }
 
   template <class WallContacts>
   void add(const WallContacts& wall) {
@@ -43,22 +43,22 @@ class wall_loads {
   /// To be kept in a local variable.
   class view {
    public:
-    view(const std::int32_t* place, const action<Grains::rotate>* loads) : place_(place), loads_(loads) {}
+    view(const std::int32_t* place, const action_row<Grains::rotate>* loads) : place_(place), loads_(loads) {}
     /// On a grain, all zeros where no wall is near.
-    const action<Grains::rotate>& on(std::size_t row) const {
-      static constexpr action<Grains::rotate> nothing{};
+    const action_row<Grains::rotate>& on(std::size_t row) const {
+      static constexpr action_row<Grains::rotate> nothing{};
       return place_[row] < 0 ? nothing : loads_[place_[row]];
     }
 
    private:
     const std::int32_t* place_;
-    const action<Grains::rotate>* loads_;
+    const action_row<Grains::rotate>* loads_;
   };
   view by_grain() const { return {place_.data(), loads_.data()}; }
 
  private:
   std::vector<std::int32_t> place_;  // of a grain among the loads, or -1
-  std::vector<action<Grains::rotate>> loads_;
+  std::vector<action_row<Grains::rotate>> loads_;
 };
 
 }  // namespace pendular

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/contact/action.hpp>
+#include <pendular/contact/action_row.hpp>
 #include <pendular/contact/wall_loads.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/motion/mover.hpp>
@@ -23,7 +23,7 @@ struct listing {
 };
 
 /// What comes after the second half of a step.
-enum class then { nothing, next_step };
+enum class followed_by { nothing, next_step };
 
 inline constexpr std::size_t grain_chunk = 512;
 
@@ -49,15 +49,15 @@ class grain_motion {
   [[gnu::always_inline]] bool predict(std::size_t k) const {
     move_.predict(place_[k], motion_[k], force_[k]);
     if constexpr (Grains::rotate) move_.predict(spin_[k], torque_[k]);
-    four_doubles now, then;
-    read(now, place_[k]), read(then, listed_at_[k]);
-    const four_doubles d = now - then, square = d * d;  // the radii take each other away
+    four_doubles now, listed;
+    read(now, place_[k]), read(listed, listed_at_[k]);
+    const four_doubles d = now - listed, square = d * d;  // the radii take each other away
     return !((square[0] + square[1]) + (square[2] + square[3]) < allowed_);
   }
 
   /// Second half, from the sum of all that acts on the grain. `moving` is false at the start, when forces are only
   /// stored.
-  [[gnu::always_inline]] void correct(std::size_t k, const action<Grains::rotate>& sum, bool moving) const {
+  [[gnu::always_inline]] void correct(std::size_t k, const action_row<Grains::rotate>& sum, bool moving) const {
     const grain_row::force before = force_[k];
     put(force_[k], push_of(sum));
     if (moving) move_.correct(motion_[k], before, force_[k]);
@@ -105,7 +105,7 @@ bool predict(Grains& g, const Integration& integrator, const listing& listed) {
 /// that took one of them too far from where it was listed.
 template <class Grains, class Contacts, class Integration>
 bool correct(Grains& g, const pair_list& list, const Contacts& contacts, const wall_loads<Grains>& loads,
-             const Integration& integrator, bool moving, then what, const listing& listed) {
+             const Integration& integrator, bool moving, followed_by what, const listing& listed) {
   return detail::any_of_grains(g.size(), [&](std::size_t begin, std::size_t end) {
     const detail::grain_motion move(g, integrator, listed);
     const auto pairs = list.by_grain();
@@ -114,7 +114,7 @@ bool correct(Grains& g, const pair_list& list, const Contacts& contacts, const w
     bool far = false;
     for (std::size_t k = begin; k < end; ++k) {
       move.correct(k, detail::sum_pairs(pairs.of(k), actions, move.radius(k), walls.on(k)), moving);
-      if (what == then::next_step) far |= move.predict(k);
+      if (what == followed_by::next_step) far |= move.predict(k);
     }
     return far;
   });

@@ -36,6 +36,15 @@ void demand_damping_symmetry(report& broken, const Law& law, const approach<doub
          {{"radius_i", a.radius_i}, {"radius_j", a.radius_j}, {"resistance", force}, {"exchanged", from_j}});
 }
 
+template <DampingLaw Law>
+  requires(pendular::detail::PreparesDashpot<Law>)
+void demand_preparation(report& broken, const Law& law, const approach<double>& a, double stiffness) {
+  const double whole = law.resistance(a, stiffness);
+  const double prepared = law.resistance(a, law.prepare(a.reduced_mass, stiffness));
+  demand(broken, agree(whole, prepared, 1e-12), "the prepared resistance must be that from the stiffness",
+         {{"gap", a.gap}, {"closing_speed", a.closing_speed}, {"resistance", whole}, {"prepared", prepared}});
+}
+
 template <class T, DampingLaw Law>
 void demand_damping_in(report& broken, const Law& law, std::string_view property) {
   demand(broken, Resists<Law, T>, property, {});
@@ -54,6 +63,7 @@ report damping_law_report(const Law& law) {
     for (const double stiffness : {0.0, 1e-3, 1e3, 1e9}) {
       detail::demand_dissipation(broken, law, a, stiffness);
       detail::demand_damping_symmetry(broken, law, a, stiffness);
+      if constexpr (pendular::detail::PreparesDashpot<Law>) detail::demand_preparation(broken, law, a, stiffness);
     }
   }
   detail::demand_damping_in<float>(broken, law, "the resistance must be the same in float");

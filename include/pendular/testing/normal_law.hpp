@@ -64,6 +64,14 @@ void demand_stiffness(report& broken, const Law& law, const approach<double>& a)
          {{"gap", a.gap}, {"stiffness", found}, {"slope", -rise / (2 * step)}});
 }
 
+template <NormalLaw Law>
+void demand_constant_stiffness(report& broken, const Law& law, const approach<double>& a) {
+  if (a.gap >= 0) return;
+  const double here = stiffness(law, a), deeper = stiffness(law, at_gap(a, 2 * a.gap));
+  demand(broken, agree(here, deeper, 1e-12), "a stiffness said to be constant must not depend on the overlap",
+         {{"gap", a.gap}, {"stiffness", here}, {"at twice the overlap", deeper}});
+}
+
 template <HasNormalEnergy Law>
 void demand_energy(report& broken, const Law& law, const approach<double>& a) {
   const auto push = [&](double overlap) { return double(law.repulsion(at_gap(a, -overlap))); };
@@ -91,6 +99,9 @@ report normal_law_report(const Law& law) {
     detail::demand_push(broken, law, a);
     detail::demand_symmetry(broken, law, a);
     if constexpr (requires { detail::demand_stiffness(broken, law, a); }) detail::demand_stiffness(broken, law, a);
+    if constexpr (requires { requires Law::has_constant_stiffness; }) {
+      detail::demand_constant_stiffness(broken, law, a);
+    }
     if constexpr (detail::HasNormalEnergy<Law>) detail::demand_energy(broken, law, a);
   }
   detail::demand_normal_in<float>(broken, law, "the repulsion must be the same in float");

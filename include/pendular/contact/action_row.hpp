@@ -12,7 +12,7 @@ namespace pendular {
 /// grains rotate also the torque per lever arm, N, the same for both grains, and the gap, m. Of a grain: the sum of the
 /// forces, N, and the number of contacts; where grains rotate also the torque, N m.
 template <bool Rotates>
-using action = std::conditional_t<Rotates, octet, quad>;
+using action_row = std::conditional_t<Rotates, octet, quad>;
 
 inline const quad& push_of(const quad& a) { return a; }
 inline const quad& push_of(const octet& a) { return a.low; }

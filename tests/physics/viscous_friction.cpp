@@ -81,8 +81,10 @@ TEST_CASE("a dense packing with viscous friction never gains kinetic energy, wha
       auto s = pressed(friction::viscous_coulomb{gamma, 0.4}, dt, 0);
       random_numbers random(5);
       s.start();
-      for (vector& v : s.particles().template get<column::velocity>()) v = 1e-3 * random.in_cube();
-      for (vector& w : s.particles().template get<column::angular_velocity>()) w = 2.0 * random.in_cube();
+      for (const std::size_t row : s.particles().rows_by_id()) {
+        s.particles().template get<column::velocity>()[row] = 1e-3 * random.in_cube();
+        s.particles().template get<column::angular_velocity>()[row] = 2.0 * random.in_cube();
+      }
       const double pushed = kinetic_energy(s);
       s.run(std::llround(1e-3 / dt));
       const double early = kinetic_energy(s);

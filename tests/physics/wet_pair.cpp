@@ -166,7 +166,7 @@ TEST_CASE("films meet at a first contact even where the neighbour list is older 
   // The pair is listed and too far apart for a bridge, so all liquid goes to films; then the grains come together by
   // less than the skin. V_b = 1e-3 R^3 breaks at 0.1 R.
   pendular::system s{material{normal::linear{k_n}, damping::viscous{0.3}}, water_with(protocol::grain_films{}),
-                     boundary::walls{}, velocity_verlet{1e-6}, run_options{.force = true}};
+                     boundary::walls{}, velocity_verlet{1e-6}, run_options{.skin = 0.2, .force = true}};
   s.add({{0, 0, 0}, radius, density, {0.005, 0, 0}});
   s.add({{2.15 * radius, 0, 0}, radius, density, {-0.005, 0, 0}});
   s.start();

@@ -98,7 +98,7 @@ TEST_CASE("a size ratio of 100: momentum is exact, the dashpot works on the smal
 TEST_CASE("a cloud of size ratio 100 finds all its pairs") {
   random_numbers random(3);
   pendular::system s{material{normal::linear{k_n}}, boundary::walls{}, velocity_verlet{1e-9},
-                     run_options{.overlap_limit = 0.99, .force = true}};
+                     run_options{.skin = 0.2, .overlap_limit = 0.99, .force = true}};
   std::vector<grain> all;
   for (int k = 0; k < 300; ++k) {
     const double radius = k % 50 == 0 ? 1e-2 : 1e-4 * (1.5 + 0.5 * random());

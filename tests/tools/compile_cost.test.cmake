@@ -31,10 +31,10 @@ list(REMOVE_ITEM law_headers "${law_list}" "${stiffness}")
 pendular_add_compile_cost(laws "${yardsticks}/law.cpp" lines 500 ${law_headers})
 pendular_add_compile_cost(law_list "${yardsticks}/law_list.cpp" lines 1200 "${law_list}")
 pendular_add_compile_cost(stiffness "${yardsticks}/stiffness.cpp" lines 440 "${stiffness}")
-pendular_add_compile_cost(scene "${yardsticks}/scene.cpp" lines 3900 "${scene}")
+pendular_add_compile_cost(scene "${yardsticks}/scene.cpp" lines 4450 "${scene}")
 
 # 13 673 with g++ 12.2. What the standard library makes of our code is most of it and changes with the version.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12
    AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  pendular_add_compile_cost(scene_classes "${yardsticks}/scene.cpp" classes 15000 "${scene}")
+  pendular_add_compile_cost(scene_classes "${yardsticks}/scene.cpp" classes 17000 "${scene}")
 endif()

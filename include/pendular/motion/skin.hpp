@@ -25,7 +25,8 @@ double longest_way(const System& s) {
 inline double cheapest_skin(double way) {
   // Making the list of one grain, 0.6 us, twice, over the pairs within a radius of it, 3.5 of 6 ns each.
   constexpr double list_over_pairs = 57;
-  return std::clamp(std::sqrt(list_over_pairs * way), 0.01, 1.0);
+  // Not below a tenth, so that a pair is still listed a while after its bridge broke, for those who look at it.
+  return std::clamp(std::sqrt(list_over_pairs * way), 0.1, 1.0);
 }
 
 }  // namespace pendular

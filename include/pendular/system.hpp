@@ -96,13 +96,13 @@ class system {
   /// What the scene must keep below a bound, as it stands: time step, damping, stiffness.
   std::vector<scene_limit> limits() const {
     auto rigidities = detail::rigidities(grains_, list_, material_);
-    for_each_wall([&](const auto& wall, const auto& contacts) {
-      detail::add_wall(rigidities, grains_, wall, contacts, material_of(wall), skin_);
-    });
+    const double near = 0.2 * extreme_radii(grains_).first;  // whatever the skin
+    for_each_wall(
+        [&](const auto& wall, const auto&) { detail::add_wall(rigidities, grains_, wall, material_of(wall), near); });
     std::vector<scene_limit> all{
         contact_step_limit(integrator_, grains_, rigidities),
         viscosity_step_limit(integrator_, grains_, rigidities, material_), damping_limit(grains_, material_),
-        pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + load())};
+        pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + lid_stress(*this))};
     if constexpr (wet) {
       const pair_view now = view();
       all.push_back(capillary_step_limit(integrator_, grains_, now, bonds_));
@@ -134,6 +134,7 @@ class system {
   /// Errors: run_error, naming grain, step and cause.
   void run(std::int64_t steps) {
     start();
+    make_constants();
     if (steps > 0) stale_ |= predict(grains_, integrator_, listing{listed_at_, 0.5 * skin_});
     for (std::int64_t k = 1; k <= steps; ++k) step(k < steps ? followed_by::next_step : followed_by::nothing);
   }
@@ -251,13 +252,10 @@ class system {
     return {b.lower - all_around, b.upper + all_around};
   }
 
-  /// Largest stress a lid imposes, Pa.
-  double load() const {
-    double largest = 0;
-    for_each_wall([&](const auto& wall, const auto&) {
-      if constexpr (requires { wall.drive.stress; }) largest = std::max(largest, wall.drive.stress);
-    });
-    return largest;
+  /// What of a contact is the same from list to list, anew: masses and materials may have been changed by hand.
+  void make_constants() {
+    contacts_.make_constants(grains_, list_, material_);
+    for_each_wall([&](const auto& wall, auto& contacts) { contacts.make_constants(grains_, material_of(wall)); });
   }
 
   /// From the first half of this step on, to the first half of the next if there is one.
@@ -347,6 +345,7 @@ class system {
   }
 
   void evaluate(bool moving, followed_by what = followed_by::nothing) {
+    if (!moving) make_constants();
     const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
     contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);

@@ -71,6 +71,15 @@ class wall_contacts {
     return origin;
   }
 
+  /// What is the same as long as masses and material are.
+  template <class Grains>
+  void make_constants(const Grains& g, const Material& material) {
+    constants_.resize(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      constants_.set_row(k, constants_of(material, 1.0 / g.template get<column::inverse_mass>()[row(k)]));
+    }
+  }
+
   /// Takes the next rows of the bonds, whose origin so far is `bond_origin`; `origin` is what `rebuild` answered.
   void take_bond_rows(std::span<const std::int32_t> origin, std::vector<std::int32_t>& bond_origin) {
     const auto old_first = static_cast<std::int32_t>(first_bond_);
@@ -130,14 +139,6 @@ class wall_contacts {
   const work_sums_if<KeepsBook>& work() const { return work_; }
 
  private:
-  template <class Grains>
-  void make_constants(const Grains& g, const Material& material) {
-    constants_.resize(rows_.size());
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      constants_.set_row(k, constants_of(material, 1.0 / g.template get<column::inverse_mass>()[row(k)]));
-    }
-  }
-
   template <class Grains>
   meeting<double> meet_one(const Grains& g, const Wall& w, std::size_t k) const {
     return w.shape.meet(g.template get<column::position>()[row(k)], g.template get<column::radius>()[row(k)]);

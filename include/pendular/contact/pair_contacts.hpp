@@ -46,6 +46,19 @@ class pair_contacts {
     findings_.assign(chunk_count(rows, chunk), {});
   }
 
+  /// What is the same as long as masses and material are.
+  template <class Grains>
+  void make_constants(const Grains& g, const pair_list& list, const Material& material) {
+    const auto inverse_mass = g.template get<column::inverse_mass>();
+    constants_.resize(list.padded_size());
+    for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t p = begin; p < end; ++p) {
+        const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
+        constants_.set_row(p, constants_of(material, 1.0 / (inverse_mass[i] + inverse_mass[j])));
+      }
+    });
+  }
+
   template <class Grains>
   contact_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
                             const contact_clock& clock) {
@@ -83,18 +96,6 @@ class pair_contacts {
  private:
   static constexpr std::size_t chunk = work_sums::chunk;
   static constexpr char idle = 0, bridging = 1, in_contact = 2;
-
-  template <class Grains>
-  void make_constants(const Grains& g, const pair_list& list, const Material& material) {
-    const auto inverse_mass = g.template get<column::inverse_mass>();
-    constants_.resize(list.padded_size());
-    for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t p = begin; p < end; ++p) {
-        const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
-        constants_.set_row(p, constants_of(material, 1.0 / (inverse_mass[i] + inverse_mass[j])));
-      }
-    });
-  }
 
   struct closeness {
     Vec3<block> normal;

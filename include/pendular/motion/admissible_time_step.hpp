@@ -98,14 +98,13 @@ std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, c
 
 namespace detail {
 /// The grains within `reach` of a wall feel it as if they touched it.
-template <class Grains, class Wall, class WallContacts, class Material>
-void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const WallContacts& near,
-              const Material& material, double reach) {
+template <class Grains, class Wall, class Material>
+void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const Material& material,
+              double reach) {
   const auto position = g.template get<column::position>();
   const auto radius = g.template get<column::radius>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    const std::size_t row = near.row(k);
+  for (std::size_t row = 0; row < g.size(); ++row) {
     const auto m = wall.shape.meet(position[row], radius[row]);
     if (m.gap > reach) continue;
     const approach<double> a{m.gap, 0, 1 / inverse_mass[row], radius[row], std::numeric_limits<double>::infinity()};

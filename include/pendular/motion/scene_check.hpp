@@ -31,6 +31,16 @@ scene_limit damping_limit(const Grains& g, const Material& material) {
   return worst;
 }
 
+/// Largest stress a lid imposes, Pa.
+template <class System>
+double lid_stress(const System& s) {
+  double largest = 0;
+  s.for_each_wall([&](const auto& wall, const auto&) {
+    if constexpr (requires { wall.drive.stress; }) largest = std::max(largest, wall.drive.stress);
+  });
+  return largest;
+}
+
 /// Force of a load or a bridge against k_n d: the stiffness number k_n d / f must be at least 1e3.
 template <class Material>
 scene_limit softness_limit(const Material& material, const std::string& of_what, double force, double radius,

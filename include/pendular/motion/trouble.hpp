@@ -24,11 +24,12 @@ inline bool inside(const box& b, const vector& p) {
 }
 }  // namespace detail
 
-/// Errors: a position or velocity that is not finite, a grain outside of the domain.
+/// Errors: a position or velocity that is not finite, a radius that is no length, a grain outside of the domain.
 template <class Grains>
 void check_grains(const Grains& g, const box& domain, std::int64_t step) {
   const auto position = g.template get<column::position>();
   const auto velocity = g.template get<column::velocity>();
+  const auto radius = g.template get<column::radius>();
   const auto id = g.template get<column::id>();
   for (std::size_t k = 0; k < g.size(); ++k) {
     const double motion = dot(position[k], position[k]) + dot(velocity[k], velocity[k]);
@@ -36,6 +37,10 @@ void check_grains(const Grains& g, const box& domain, std::int64_t step) {
       throw run_error(detail::at_step(id[k], step) +
                       " has a position or velocity that is not finite: the step is too long for a stiff law, or a law "
                       "returned a value that is not finite (see docs/how-to/stability.md)");
+    }
+    if (!(radius[k] > 0 && std::isfinite(radius[k]))) {
+      throw run_error(detail::at_step(id[k], step) + " has a radius of " + detail::number(radius[k]) +
+                      " m, which must be positive and finite (see docs/reference/grains.md)");
     }
     if (!detail::inside(domain, position[k])) {
       throw run_error(detail::at_step(id[k], step) + " is lost at (" + detail::number(position[k].x) + ", " +

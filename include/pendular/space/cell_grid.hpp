@@ -86,7 +86,7 @@ class cell_grid {
     for (edge_ = edge;; edge_ *= 1.5) {
       double cells = 1;
       for (std::size_t k = 0; k < 3; ++k) cells *= std::floor(extent[k] / edge_) + 1;
-      if (cells <= most_cells) break;
+      if (!(cells > most_cells)) break;  // also if the edge is no number
     }
     for (std::size_t k = 0; k < 3; ++k) counts_[k] = static_cast<std::int64_t>(extent[k] / edge_) + 1;
   }

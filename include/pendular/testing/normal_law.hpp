@@ -68,7 +68,9 @@ template <NormalLaw Law>
 void demand_constant_stiffness(report& broken, const Law& law, const approach<double>& a) {
   if (a.gap >= 0) return;
   const double here = stiffness(law, a), deeper = stiffness(law, at_gap(a, 2 * a.gap));
-  demand(broken, agree(here, deeper, 1e-12), "a stiffness said to be constant must not depend on the overlap",
+  const approach<double> larger{a.gap, a.closing_speed, a.reduced_mass, 2 * a.radius_i, 2 * a.radius_j};
+  const bool same = agree(here, deeper, 1e-12) && agree(here, stiffness(law, larger), 1e-12);
+  demand(broken, same, "a stiffness said to be constant must depend neither on the overlap nor on the radii",
          {{"gap", a.gap}, {"stiffness", here}, {"at twice the overlap", deeper}});
 }
 

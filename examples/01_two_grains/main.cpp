@@ -58,9 +58,11 @@ int main(int argc, char** argv) {
   io::table cycle{"gap_um", "attraction_uN", "eq_10_uN"};
   double worst = 0;
   const auto look = [&](bool opening) {
-    const double gap = pair.view().gap(0);
-    const vector normal{1, 0, 0};
-    const double attraction = dot(pair.contacts().force(0), normal) + 1e3 * std::max(-gap, 0.0);
+    // Of the grains, not of their pair, which leaves the neighbour list some time after its bridge broke.
+    const auto rows = pair.particles().rows_by_id();
+    const auto position = pair.particles().get<column::position>();
+    const double gap = norm(position[rows[1]] - position[rows[0]]) - 2 * radius;
+    const double attraction = pair.particles().get<column::force>()[rows[0]].x + 1e3 * std::max(-gap, 0.0);
     cycle.add_row({1e6 * gap, 1e6 * attraction, 1e6 * printed_force(gap)});
     if (opening) worst = std::max(worst, std::abs(attraction - printed_force(gap)));
   };

@@ -134,7 +134,7 @@ class system {
   /// Errors: run_error, naming grain, step and cause.
   void run(std::int64_t steps) {
     start();
-    make_constants();
+    forget_constants();
     if (steps > 0) stale_ |= predict(grains_, integrator_, listing{listed_at_, 0.5 * skin_});
     for (std::int64_t k = 1; k <= steps; ++k) step(k < steps ? followed_by::next_step : followed_by::nothing);
   }
@@ -252,10 +252,10 @@ class system {
     return {b.lower - all_around, b.upper + all_around};
   }
 
-  /// What of a contact is the same from list to list, anew: masses and materials may have been changed by hand.
-  void make_constants() {
-    contacts_.make_constants(grains_, list_, material_);
-    for_each_wall([&](const auto& wall, auto& contacts) { contacts.make_constants(grains_, material_of(wall)); });
+  /// Masses and materials may have been changed by hand.
+  void forget_constants() {
+    contacts_.forget_constants();
+    for_each_wall([&](const auto&, auto& contacts) { contacts.forget_constants(); });
   }
 
   /// From the first half of this step on, to the first half of the next if there is one.
@@ -294,7 +294,7 @@ class system {
     const auto origin =
         list_.rebuild(position, grains_.template get<column::radius>(), grains_.template get<column::id>(),
                       cell_grid(position, edge), range, range - skin_, order);
-    contacts_.carry(origin, grains_, list_, material_);
+    contacts_.carry(origin, list_.padded_size());
     relist_walls(origin, order, range);
     const auto places = grains_.template rows<grain_row::place>();
     listed_at_.assign(places.begin(), places.end());
@@ -310,7 +310,7 @@ class system {
     loads_.relist(grains_.size());
     for_each_wall([&](const auto& wall, auto& contacts) {
       constexpr bool carries_bridges = std::remove_cvref_t<decltype(contacts)>::carries_bridges;
-      const auto places = contacts.rebuild(grains_, wall, material_of(wall), carries_bridges ? range : skin_, order);
+      const auto places = contacts.rebuild(grains_, wall, carries_bridges ? range : skin_, order);
       if constexpr (carries_bridges) contacts.take_bond_rows(places, bond_origin);
       loads_.list(contacts);
     });
@@ -345,7 +345,7 @@ class system {
   }
 
   void evaluate(bool moving, followed_by what = followed_by::nothing) {
-    if (!moving) make_constants();
+    if (!moving) forget_constants();
     const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
     contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
     if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);

@@ -119,7 +119,7 @@ TEST_CASE("a wall pushes the grains that overlap it, and they push back with the
   const floor w{plane{{0, 0, 0}, {0, 0, 1}}};
   const stiff m{normal::linear{50}, friction::coulomb_spring{1000, 0.5}};
   boundary::wall_contacts<floor, stiff> contacts;
-  contacts.rebuild(g, w, m, 1.0, std::vector<std::size_t>{0, 1, 2, 3});
+  contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0, 1, 2, 3});
   REQUIRE(contacts.size() == 3);
   contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
   CHECK((contacts.row(0) == 0 && contacts.row(1) == 1 && contacts.row(2) == 3));
@@ -146,11 +146,11 @@ TEST_CASE("a grain keeps its spring at the wall when the list is made anew in an
   const floor w{plane{{0, 0, 0}, {0, 0, 1}}};
   const stiff m{normal::linear{50}, friction::coulomb_spring{1000, 0.5}};
   boundary::wall_contacts<floor, stiff> contacts;
-  contacts.rebuild(g, w, m, 1.0, std::vector<std::size_t>{0, 1, 2});
+  contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0, 1, 2});
   contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
   const std::vector<std::size_t> order{2, 0, 1};
   g.permute(order);
-  contacts.rebuild(g, w, m, 1.0, order);
+  contacts.rebuild(g, w, 1.0, order);
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(contacts.row(k) == (k + 1) % 3);
     CHECK(contacts.memories().row(k).elastic_force.x == within(1e-12, -0.1 * static_cast<double>(k + 1)));
@@ -165,7 +165,7 @@ TEST_CASE("a wall that moves counts the slip and the approach relative to itself
   const belt w{plane{{0, 0, 0}, {0, 0, 1}}, boundary::constant_velocity{{0.3, 0, 0.2}}};
   const damped m{normal::linear{50}, damping::viscous{0.5}, friction::coulomb_spring{1000, 0.5}};
   boundary::wall_contacts<belt, damped> contacts;
-  contacts.rebuild(g, w, m, 1.0, std::vector<std::size_t>{0});
+  contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0});
   contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
   CHECK(contacts.force(0).z == within(1e-12, 5));    // no approach
   CHECK(contacts.force(0).x == within(1e-12, 0.2));  // dragged along

@@ -37,7 +37,7 @@ class wall_contacts {
   /// Grains within range of the wall, sorted by id. `came_from[row]` is the row a grain had in the list before. Answers
   /// the place that each had in the list before, or -1.
   template <class Grains>
-  std::vector<std::int32_t> rebuild(const Grains& g, const Wall& w, const Material& material, double range,
+  std::vector<std::int32_t> rebuild(const Grains& g, const Wall& w, double range,
                                     std::span<const std::size_t> came_from) {
     const auto position = g.template get<column::position>();
     const auto radius = g.template get<column::radius>();
@@ -61,7 +61,7 @@ class wall_contacts {
     if (count_ > 0) rows.resize(padded(count_), rows.back());
     rows_ = std::move(rows);
     memory_.carry(origin, rows_.size());
-    make_constants(g, material);
+    forget_constants();
     busy_.assign(rows_.size() / lane_count, 1);
     force_.resize(rows_.size());
     torque_.resize(rows_.size());
@@ -71,14 +71,8 @@ class wall_contacts {
     return origin;
   }
 
-  /// What is the same as long as masses and material are.
-  template <class Grains>
-  void make_constants(const Grains& g, const Material& material) {
-    constants_.resize(rows_.size());
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      constants_.set_row(k, constants_of(material, 1.0 / g.template get<column::inverse_mass>()[row(k)]));
-    }
-  }
+  /// To be called when masses or material may have changed.
+  void forget_constants() { constants_known_ = false; }
 
   /// Takes the next rows of the bonds, whose origin so far is `bond_origin`; `origin` is what `rebuild` answered.
   void take_bond_rows(std::span<const std::int32_t> origin, std::vector<std::int32_t>& bond_origin) {
@@ -91,6 +85,7 @@ class wall_contacts {
   template <class Grains>
   contact_findings evaluate(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
                             const contact_clock& clock) {
+    if (!constants_known_) make_constants(g, material);
     gaps_.turn();
     for_chunks(rows_.size(), work_sums::chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       lane_findings found;
@@ -139,6 +134,16 @@ class wall_contacts {
   const work_sums_if<KeepsBook>& work() const { return work_; }
 
  private:
+  template <class Grains>
+  void make_constants(const Grains& g, const Material& material) {
+    constants_.resize(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); k += lane_count) {
+      const quad_block motion = gather(g.template rows<grain_row::motion>().data(), rows_.data() + k);
+      constants_.store_block(k, constants_of(material, block(1.0 / motion.d)));
+    }
+    constants_known_ = true;
+  }
+
   template <class Grains>
   meeting<double> meet_one(const Grains& g, const Wall& w, std::size_t k) const {
     return w.shape.meet(g.template get<column::position>()[row(k)], g.template get<column::radius>()[row(k)]);
@@ -206,6 +211,7 @@ class wall_contacts {
   std::vector<std::int32_t> rows_;
   scalar_table<memory> memory_;
   scalar_table<contact_constants> constants_;
+  bool constants_known_ = false;
   std::vector<char> busy_;  // per block: whether one of its grains touched in the last step
   std::vector<vector> force_, torque_;
   gap_record<carries_bridges && Bonds::forms_on_closing> gaps_;

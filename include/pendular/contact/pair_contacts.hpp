@@ -34,34 +34,23 @@ class pair_contacts {
   using memory = typename Material::template memory<T>;
 
   /// Follows the pairs into a new list.
-  template <class Grains>
-  void carry(std::span<const std::int32_t> origin, const Grains& g, const pair_list& list, const Material& material) {
-    const std::size_t rows = list.padded_size();
+  void carry(std::span<const std::int32_t> origin, std::size_t rows) {
     memory_.carry(origin, rows);
-    make_constants(g, list, material);
     actions_.assign(rows, {});
     busy_.assign(rows / lane_count, in_contact);
+    forget_constants();
     gaps_.carry(origin, rows);
     work_.carry(origin, rows);
     findings_.assign(chunk_count(rows, chunk), {});
   }
 
-  /// What is the same as long as masses and material are.
-  template <class Grains>
-  void make_constants(const Grains& g, const pair_list& list, const Material& material) {
-    const auto inverse_mass = g.template get<column::inverse_mass>();
-    constants_.resize(list.padded_size());
-    for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t p = begin; p < end; ++p) {
-        const auto i = static_cast<std::size_t>(list.first()[p]), j = static_cast<std::size_t>(list.second()[p]);
-        constants_.set_row(p, constants_of(material, 1.0 / (inverse_mass[i] + inverse_mass[j])));
-      }
-    });
-  }
+  /// To be called when masses or material may have changed.
+  void forget_constants() { constants_known_ = false; }
 
   template <class Grains>
   contact_findings evaluate(const Grains& g, const pair_list& list, const Material& material, const Bonds& bonds,
                             const contact_clock& clock) {
+    if (!constants_known_) make_constants(g, list, material);
     gaps_.turn();
     for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       lane_findings found;
@@ -96,6 +85,19 @@ class pair_contacts {
  private:
   static constexpr std::size_t chunk = work_sums::chunk;
   static constexpr char idle = 0, bridging = 1, in_contact = 2;
+
+  template <class Grains>
+  void make_constants(const Grains& g, const pair_list& list, const Material& material) {
+    const grain_row::motion* motions = g.template rows<grain_row::motion>().data();
+    constants_.resize(list.padded_size());
+    for_chunks(list.padded_size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t p = begin; p < end; p += lane_count) {
+        const quad_block i = gather(motions, list.first().data() + p), j = gather(motions, list.second().data() + p);
+        constants_.store_block(p, constants_of(material, block(1.0 / (i.d + j.d))));
+      }
+    });
+    constants_known_ = true;
+  }
 
   struct closeness {
     Vec3<block> normal;
@@ -207,6 +209,7 @@ class pair_contacts {
 
   scalar_table<memory> memory_;
   scalar_table<contact_constants> constants_;
+  bool constants_known_ = false;
   std::vector<action_row<rotates>> actions_;
   std::vector<char> busy_;  // per block: the most that one of its pairs did in the last step
   gap_record<Bonds::forms_on_closing> gaps_;

@@ -106,21 +106,20 @@ inline void store(quad* rows, const quad_block& values) {
   detail::write(d, rows[3], rows[7]);
 }
 
-/// The same for rows of eight.
-inline void store(octet* rows, const quad_block& low, const quad_block& high) {
+/// The same for one half of rows of eight.
+template <quad octet::*Half>
+void store(octet* rows, const quad_block& values) {
   detail::eight_doubles a, b, c, d;
-  detail::read(a, low.a), detail::read(b, low.b), detail::read(c, low.c), detail::read(d, low.d);
+  detail::read(a, values.a), detail::read(b, values.b), detail::read(c, values.c), detail::read(d, values.d);
   detail::transpose(a, b, c, d);
-  detail::write(a, rows[0].low, rows[4].low);
-  detail::write(b, rows[1].low, rows[5].low);
-  detail::write(c, rows[2].low, rows[6].low);
-  detail::write(d, rows[3].low, rows[7].low);
-  detail::read(a, high.a), detail::read(b, high.b), detail::read(c, high.c), detail::read(d, high.d);
-  detail::transpose(a, b, c, d);
-  detail::write(a, rows[0].high, rows[4].high);
-  detail::write(b, rows[1].high, rows[5].high);
-  detail::write(c, rows[2].high, rows[6].high);
-  detail::write(d, rows[3].high, rows[7].high);
+  detail::write(a, rows[0].*Half, rows[4].*Half);
+  detail::write(b, rows[1].*Half, rows[5].*Half);
+  detail::write(c, rows[2].*Half, rows[6].*Half);
+  detail::write(d, rows[3].*Half, rows[7].*Half);
+}
+inline void store(octet* rows, const quad_block& low, const quad_block& high) {
+  store<&octet::low>(rows, low);
+  store<&octet::high>(rows, high);
 }
 
 }  // namespace pendular

@@ -4,6 +4,8 @@
 #include <pendular/core/quad.hpp>
 #include <pendular/space/grains.hpp>
 
+#include <type_traits>
+
 namespace pendular {
 
 namespace detail {
@@ -20,85 +22,78 @@ inline void join(four_doubles& three, const four_doubles& fourth) {
   three = __builtin_shufflevector(three, fourth, 0, 1, 2, 7);
 }
 
-/// Three of the four numbers, as an integrator moves them, and the fourth as it is.
-template <class Integration>
-class mover {
- public:
-  explicit mover(const Integration& integrator) : integrator_(integrator) {
-    const vector& g = integrator.gravity;
-    read(gravity_, quad{g.x, g.y, g.z, 0});
-  }
-
-  void predict(grain_row::place& place, grain_row::motion& motion, const grain_row::force& force) const {
-    if constexpr (TakesRows<Integration>) {
-      four_doubles x, v, f, none{0, 0, 0, 0};
-      read(x, place), read(v, motion), read(f, force);
-      const four_doubles place_before = x, motion_before = v;
-      join(v, none);
-      integrator_.predict(x, v, four_doubles(motion.inverse_mass * f + gravity_));
-      join(x, place_before), join(v, motion_before);
-      write(x, place), write(v, motion);
-    } else {
-      integrator_.predict(place.position, motion.velocity, acceleration(motion, force.force));
-    }
-  }
-  void predict(grain_row::spin& spin, const grain_row::torque& torque) const {
-    if constexpr (TakesRows<Integration>) {
-      four_doubles w, t;
-      read(w, spin), read(t, torque);
-      const four_doubles before = w;
-      integrator_.predict_spin(w, four_doubles(torque.inverse_inertia * t));
-      join(w, before);
-      write(w, spin);
-    } else {
-      integrator_.predict_spin(spin.angular_velocity, torque.inverse_inertia * torque.torque);
-    }
-  }
-  void correct(grain_row::motion& motion, const grain_row::force& before, const grain_row::force& now) const {
-    if constexpr (TakesRows<Integration>) {
-      four_doubles v, f, g;
-      read(v, motion), read(f, before), read(g, now);
-      const double inverse_mass = motion.inverse_mass;
-      const four_doubles motion_before = v;
-      integrator_.correct(v, four_doubles(inverse_mass * f + gravity_), four_doubles(inverse_mass * g + gravity_));
-      join(v, motion_before);
-      write(v, motion);
-    } else {
-      integrator_.correct(motion.velocity, acceleration(motion, before.force), acceleration(motion, now.force));
-    }
-  }
-  void correct(grain_row::spin& spin, const grain_row::torque& before, const grain_row::torque& now) const {
-    if constexpr (TakesRows<Integration>) {
-      four_doubles w, t, u;
-      read(w, spin), read(t, before), read(u, now);
-      const double inverse_inertia = before.inverse_inertia;
-      const four_doubles spin_before = w;
-      integrator_.correct(w, four_doubles(inverse_inertia * t), four_doubles(inverse_inertia * u));
-      join(w, spin_before);
-      write(w, spin);
-    } else {
-      integrator_.correct(spin.angular_velocity, before.inverse_inertia * before.torque,
-                          before.inverse_inertia * now.torque);
-    }
-  }
-
- private:
-  vector acceleration(const grain_row::motion& motion, const vector& force) const {
-    return motion.inverse_mass * force + integrator_.gravity;
-  }
-
-  Integration integrator_;
-  four_doubles gravity_;
-};
+/// The first three numbers of a row, as the integrator takes them.
+template <class Row>
+void take(four_doubles& three, const Row& row) {
+  read(three, row);
+}
+inline void take(vector& v, const grain_row::place& row) { v = row.position; }
+inline void take(vector& v, const grain_row::motion& row) { v = row.velocity; }
+inline void take(vector& v, const grain_row::force& row) { v = row.force; }
+inline void take(vector& v, const grain_row::spin& row) { v = row.angular_velocity; }
+inline void take(vector& v, const grain_row::torque& row) { v = row.torque; }
 
 /// Writes the first three numbers and keeps the fourth.
 template <class Row>
-void put(Row& row, const quad& three) {
-  four_doubles now, before;
-  read(now, three), read(before, row);
-  join(now, before);
-  write(now, row);
+void put(Row& row, const four_doubles& three) {
+  four_doubles all = three, before;
+  read(before, row);
+  join(all, before);
+  write(all, row);
 }
+template <class Row>
+void put(Row& row, const quad& three) {
+  four_doubles all;
+  read(all, three);
+  put(row, all);
+}
+template <class Row>
+void put(Row& row, const vector& three) {
+  put(row, quad{three.x, three.y, three.z, 0});
+}
+
+/// Moves grains as the integrator has it: in rows if it takes them, else in vectors.
+template <class Integration>
+class mover {
+  using three = std::conditional_t<TakesRows<Integration>, four_doubles, vector>;
+
+ public:
+  explicit mover(const Integration& integrator) : integrator_(integrator) {
+    const vector& g = integrator.gravity;
+    take(gravity_, grain_row::force{g, 0});
+  }
+
+  void predict(grain_row::place& place, grain_row::motion& motion, const grain_row::force& force) const {
+    three x, v, f;
+    take(x, place), take(v, motion), take(f, force);
+    integrator_.predict(x, v, three(motion.inverse_mass * f + gravity_));
+    put(place, x), put(motion, v);
+  }
+  void predict(grain_row::spin& spin, const grain_row::torque& torque) const {
+    three w, t;
+    take(w, spin), take(t, torque);
+    integrator_.predict_spin(w, three(torque.inverse_inertia * t));
+    put(spin, w);
+  }
+  void correct(grain_row::motion& motion, const grain_row::force& before, const grain_row::force& now) const {
+    three v, f, g;
+    take(v, motion), take(f, before), take(g, now);
+    const double inverse_mass = motion.inverse_mass;
+    integrator_.correct(v, three(inverse_mass * f + gravity_), three(inverse_mass * g + gravity_));
+    put(motion, v);
+  }
+  void correct(grain_row::spin& spin, const grain_row::torque& before, const grain_row::torque& now) const {
+    three w, t, u;
+    take(w, spin), take(t, before), take(u, now);
+    const double inverse_inertia = before.inverse_inertia;
+    integrator_.correct(w, three(inverse_inertia * t), three(inverse_inertia * u));
+    put(spin, w);
+  }
+
+ private:
+  Integration integrator_;
+  three gravity_;
+};
 
 /// Writes the fourth number and keeps the first three.
 template <class Row>

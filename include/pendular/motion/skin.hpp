@@ -23,8 +23,8 @@ double longest_way(const System& s) {
 /// proportion to s, and a list lasts for s / (2 way) steps. `way` is the longest in one step over the smallest radius.
 /// It follows from where the grains are and how fast they move, never from a clock.
 inline double cheapest_skin(double way) {
-  // Making the list of one grain, 0.6 us, twice, over the pairs within a radius of it, 3.5 of 6 ns each.
-  constexpr double list_over_pairs = 57;
+  // A list costs a grain 600 ns every s / (2 way) steps, the pairs within one more radius 3.5 times 6 ns in each.
+  constexpr double list_over_pairs = 600.0 * 2 / (3.5 * 6);
   // Not below a tenth, so that a pair is still listed a while after its bridge broke, for those who look at it.
   return std::clamp(std::sqrt(list_over_pairs * way), 0.1, 1.0);
 }

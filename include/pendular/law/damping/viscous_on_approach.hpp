@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/law/inputs.hpp>
+#include <pendular/law/damping/viscous.hpp>
 
 namespace pendular::damping {
 
@@ -13,19 +13,14 @@ struct viscous_on_approach {
   double damping_rate;  // alpha_n
 
   template <Scalar T>
-  T resistance(const approach<T>& a, const T& stiffness) const {
-    return resistance(a, prepare(a.reduced_mass, stiffness));
-  }
-
-  template <Scalar T>
   prepared_dashpot<T> prepare(const T& reduced_mass, const T& stiffness) const {
-    const T root = sqrt(T(reduced_mass * stiffness));
-    return {T(2.0 * damping_rate) * root};
+    return viscous{damping_rate}.prepare(reduced_mass, stiffness);
   }
-  template <Scalar T>
-  T resistance(const approach<T>& a, const prepared_dashpot<T>& made) const {
-    const T touching = unit_step(T(-a.gap));
-    return made.coefficient * max(a.closing_speed, T(0)) * touching;
+  /// From the stiffness or from what was prepared.
+  template <Scalar T, class StiffnessOrDashpot>
+  T resistance(approach<T> a, const StiffnessOrDashpot& known) const {
+    a.closing_speed = max(a.closing_speed, T(0));
+    return viscous{damping_rate}.resistance(a, known);
   }
 };
 

@@ -13,9 +13,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <malloc.h>
 #include <string>
-#include <unistd.h>
 
 namespace {
 constexpr int rounds = 5;
@@ -29,12 +28,10 @@ void use_threads(int count) {
 #endif
 }
 
-/// Memory of this process, bytes.
+/// Bytes that the process holds.
 double memory() {
-  std::ifstream file("/proc/self/statm");
-  double total = 0, resident = 0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const auto now = mallinfo2();
+  return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
 /// ns per grain and step of a slice.
@@ -80,7 +77,7 @@ int main(int count, char** arguments) {
   picture.curves.push_back({"one thread", {}, {}, pendular::io::curve_style::linespoints});
   std::printf("| grains | ns per grain and step | over that of 8000 | one thread over two | bytes per grain |\n"
               "|---|---|---|---|---|\n");
-  for (const std::size_t grains : {1000, 2000, 4000, 8000, 64000, 216000, 1000000}) {
+  for (const std::size_t grains : {1000, 2000, 4000, 8000, 24000, 96000, 320000, 1000000}) {
     if (grains > largest) break;
     const growth g = measure(small, packing::of_size(block, grains));
     std::printf("| %.0f | %.0f | %.2f | %.2f | %.0f |\n", g.grains, g.time, g.over_8000, g.second_thread, g.bytes);

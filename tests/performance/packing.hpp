@@ -110,11 +110,11 @@ inline sample of_size(const sample& block, std::size_t grains) {
     for (const grain& g : part.grains) part.size.z = std::max(part.size.z, g.position.z + g.radius);
     return part;
   }
-  const int n = static_cast<int>(
-      std::ceil(std::cbrt(static_cast<double>(grains) / static_cast<double>(block.grains.size())) - 1e-9));
+  const double blocks = std::ceil(static_cast<double>(grains) / static_cast<double>(block.grains.size()));
+  const int n = static_cast<int>(std::cbrt(blocks) + 1e-9), layers = static_cast<int>(std::ceil(blocks / (n * n)));
   sample all;
-  all.size = static_cast<double>(n) * block.size;
-  for (int k = 0; k < n * n * n; ++k) {
+  all.size = {n * block.size.x, n * block.size.y, layers * block.size.z};
+  for (int k = 0; k < n * n * layers; ++k) {
     const vector shift{block.size.x * (k % n), block.size.y * (k / n % n), block.size.z * (k / (n * n))};
     for (grain g : block.grains) {
       g.position += shift;

@@ -29,9 +29,7 @@ inline box bounding_box(strided<const vector> positions) {
   return b;
 }
 
-/// Cells of at least the given edge over the box of the points, each with the rows of its points. Cells follow each other
-/// along x, lines of cells along z through a slab of some layers and then along y: so neighbours lie near each other in
-/// memory also in a scene whose layers do not fit into the cache.
+/// Cells of at least the given edge over the box of the points, each with the rows of its points.
 class cell_grid {
  public:
   cell_grid(strided<const vector> positions, double edge) : box_(bounding_box(positions)) {
@@ -77,8 +75,6 @@ class cell_grid {
   }
 
  private:
-  static constexpr std::int64_t slab = 8;  // layers of cells
-
   void choose_cells(std::size_t points, double edge) {
     const std::array<double, 3> extent{box_.upper.x - box_.lower.x, box_.upper.y - box_.lower.y,
                                        box_.upper.z - box_.lower.z};
@@ -91,10 +87,7 @@ class cell_grid {
     for (std::size_t k = 0; k < 3; ++k) counts_[k] = static_cast<std::int64_t>(extent[k] / edge_) + 1;
   }
 
-  std::int64_t line(std::int64_t y, std::int64_t z) const {
-    const std::int64_t below = z / slab * slab, layers = std::min(slab, counts_[2] - below);
-    return below * counts_[1] + y * layers + (z - below);
-  }
+  std::int64_t line(std::int64_t y, std::int64_t z) const { return z * counts_[1] + y; }
 
   std::int64_t along(double offset, std::size_t axis) const {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(offset / edge_), 0, counts_[axis] - 1);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test.hpp"
 
-void run_test(const options& o, const pendular::friction::viscous_coulomb_explicit& friction, const restart& from,
-              const pendular::scene::monitor& watch) {
-  test::with_friction(o, friction, from, watch);
+#include <pendular/law/capillary/richefeu.hpp>
+#include <pendular/law/rupture/lian.hpp>
+
+void run_with_viscous_coulomb_explicit(const options& o, const examples::restart& from,
+                                       const pendular::scene::monitor& watch) {
+  using namespace pendular;
+  test::with_laws(o, examples::explicit_viscous_friction, capillary::richefeu{}, rupture::lian{}, from, watch);
 }

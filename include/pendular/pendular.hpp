@@ -9,6 +9,7 @@
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/energy.hpp>
 #include <pendular/observe/stress.hpp>
+#include <pendular/scene/direct_shear.hpp>
 #include <pendular/scene/simple_compression.hpp>
 #include <pendular/system.hpp>
 #include <pendular/version.hpp>

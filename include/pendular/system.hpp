@@ -147,6 +147,7 @@ class system {
   const bonds_type& bridges() const { return bonds_; }
   bonds_type& bridges() { return bonds_; }
   const Material& contact_material() const { return material_; }
+  Material& contact_material() { return material_; }
   const Integration& integrator() const { return integrator_; }
   const Boundary& walls() const { return walls_; }
   Boundary& walls() { return walls_; }

@@ -2,6 +2,7 @@
 // A packing of 60 grains and its compression, in short durations: all stages, and the promise of the checkpoints.
 #include "../catch.hpp"
 #include "../io/scratch.hpp"
+#include "checkpoints.hpp"
 
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/friction/viscous_coulomb.hpp>
@@ -48,29 +49,6 @@ auto wet_by(Protocol protocol) {
   return liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol};
 }
 
-/// Keeps a copy of every checkpoint under the name of stage and step.
-scene::monitor watching(const scratch::folder& folder, std::int64_t interval, std::vector<fs::path>& kept) {
-  scene::monitor watch;
-  watch.checkpoint = folder / "checkpoint";
-  watch.checkpoint_interval = interval;
-  watch.progress = [&folder, &kept](const std::string& stage, std::int64_t done, std::int64_t, const std::string&) {
-    // Called before the checkpoint of this slice is written: what lies there is that of an earlier one.
-    if (!fs::exists(folder / "checkpoint")) return;
-    const fs::path copy = folder / (stage + "." + std::to_string(done));
-    if (!kept.empty() && scratch::content(kept.back()) == scratch::content(folder / "checkpoint")) return;
-    fs::copy_file(folder / "checkpoint", copy);
-    kept.push_back(copy);
-  };
-  return watch;
-}
-
-scene::monitor checkpointing(const fs::path& path, std::int64_t interval) {
-  scene::monitor watch;
-  watch.checkpoint = path;
-  watch.checkpoint_interval = interval;
-  return watch;
-}
-
 const scene::sealed_packing& packed() {
   static const scene::sealed_packing done = scene::packing(small_packing(), smooth, smooth).run({});
   return done;
@@ -86,7 +64,7 @@ std::vector<double> numbers_of(const scene::sealed_packing& p) {
 template <class Test>
 std::vector<double> numbers_of(const Test& test) {
   std::vector<double> all;
-  scene::detail::for_each_number(test.result(), [&](const double& v) { all.push_back(v); });
+  for_each_number(test.result(), [&](const double& v) { all.push_back(v); });
   const auto& g = test.sample().particles();
   for (const std::size_t row : g.rows_by_id()) {
     for (const vector& v : {g.template get<column::position>()[row], g.template get<column::velocity>()[row],
@@ -99,10 +77,6 @@ std::vector<double> numbers_of(const Test& test) {
   all.insert(all.end(), {book.total(), static_cast<double>(test.sample().bridges().count()),
                          static_cast<double>(test.sample().events().ruptures)});
   return all;
-}
-
-std::string stage_in(const fs::path& checkpoint) {
-  return io::checkpoint_reader(checkpoint).get<std::string>("scene.stage");
 }
 }  // namespace
 
@@ -132,15 +106,15 @@ TEST_CASE("a packing that is resumed from any checkpoint of any stage ends with 
   const scratch::folder folder;
   std::vector<fs::path> kept;
   const auto uninterrupted =
-      numbers_of(scene::packing(small_packing(), smooth, smooth).run(watching(folder, 3000, kept)));
+      numbers_of(scene::packing(small_packing(), smooth, smooth).run(checkpoints::watching(folder, 3000, kept)));
   std::set<std::string> stages;
   REQUIRE(kept.size() > 4);
   for (const fs::path& from : kept) {
-    stages.insert(stage_in(from));
+    stages.insert(checkpoints::stage_in(from));
     scene::packing again(small_packing(), smooth, smooth);
     again.resume(io::checkpoint_reader(from));
     CAPTURE(from.filename().string());
-    CHECK((numbers_of(again.run(checkpointing(folder / "again", 3000))) == uninterrupted));
+    CHECK((numbers_of(again.run(checkpoints::written_to(folder / "again", 3000))) == uninterrupted));
   }
   CHECK(stages.size() == 2);
 }
@@ -160,7 +134,7 @@ TEMPLATE_TEST_CASE("a small compression runs through its stages and resumes from
   std::vector<fs::path> kept;
   scene::simple_compression test(small_test(), rough, water);
   test.start(packed());
-  test.run(watching(folder, 600, kept));
+  test.run(checkpoints::watching(folder, 600, kept));
   const auto& r = test.result();
   REQUIRE(r.records.size() == 60);
   CHECK(r.records.back().time == within(1e-9, 0.024));
@@ -178,10 +152,10 @@ TEMPLATE_TEST_CASE("a small compression runs through its stages and resumes from
   std::set<std::string> stages;
   REQUIRE(kept.size() > 5);
   for (const fs::path& from : kept) {
-    stages.insert(stage_in(from));
+    stages.insert(checkpoints::stage_in(from));
     scene::simple_compression again(small_test(), rough, water);
     again.resume(io::checkpoint_reader(from));
-    again.run(checkpointing(folder / "again", 600));
+    again.run(checkpoints::written_to(folder / "again", 600));
     CAPTURE(from.filename().string());
     CHECK((numbers_of(again) == numbers_of(test)));
   }
@@ -193,7 +167,7 @@ TEST_CASE("a checkpoint of another composition is refused") {
   std::vector<fs::path> kept;
   scene::simple_compression test(small_test(), rough, wet_by(protocol::homogeneous{}));
   test.start(packed());
-  test.run(watching(folder, 600, kept));
+  test.run(checkpoints::watching(folder, 600, kept));
   scene::simple_compression other(small_test(), rough, wet_by(protocol::gravity{}));
   CHECK_THROWS_AS(other.resume(io::checkpoint_reader(kept.front())), std::runtime_error);
 }

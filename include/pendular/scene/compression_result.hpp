@@ -3,10 +3,10 @@
 
 #include <pendular/core/fields.hpp>
 #include <pendular/core/vec.hpp>
-#include <pendular/io/checkpoint.hpp>
 #include <pendular/observe/energy.hpp>
+#include <pendular/scene/result_file.hpp>
 
-#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace pendular::scene {
@@ -39,39 +39,18 @@ struct compression_result {
   std::vector<compression_record> records;
 };
 
-namespace detail {
 /// All numbers of a result in one fixed order.
 template <class Result, class Visit>
-void for_each_number(Result& r, const Visit& visit) {
+void for_each_number(Result& r,
+                     const Visit& visit) requires std::is_same_v<std::remove_const_t<Result>, compression_result> {
   for (auto* v :
        {&r.sealed_height, &r.solid_fraction, &r.initial_bridges, &r.relaxed_bridges, &r.surface_before,
         &r.centre_before, &r.surface_settlement, &r.centre_settlement, &r.unbalanced_force, &r.start_height}) {
     visit(*v);
   }
-  auto& e = r.energy_at_start;
-  for (auto* v : {&e.kinetic, &e.gravity, &e.elastic, &e.friction_springs, &e.capillary, &e.damping, &e.friction,
-                  &e.liquid, &e.walls}) {
-    visit(*v);
-  }
+  detail::for_each_energy(r.energy_at_start, visit);
   for (auto& p : r.reference) for_each_scalar<double>(p, visit);
   for (auto& line : r.records) for_each_scalar<double>(line, visit);
-}
-}  // namespace detail
-
-inline void save(io::checkpoint_writer& out, const compression_result& r) {
-  std::vector<double> numbers;
-  detail::for_each_number(r, [&](const double& v) { numbers.push_back(v); });
-  out.put("scene.references", static_cast<std::uint64_t>(r.reference.size()));
-  out.put("scene.records", static_cast<std::uint64_t>(r.records.size()));
-  out.put("scene.numbers", numbers);
-}
-
-inline void load(const io::checkpoint_reader& in, compression_result& r) {
-  const auto numbers = in.get<std::vector<double>>("scene.numbers");
-  r.reference.resize(in.get<std::uint64_t>("scene.references"));
-  r.records.resize(in.get<std::uint64_t>("scene.records"));
-  std::size_t k = 0;
-  detail::for_each_number(r, [&](double& v) { v = numbers.at(k++); });
 }
 
 }  // namespace pendular::scene

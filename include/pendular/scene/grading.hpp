@@ -27,6 +27,9 @@ inline grading compression_grading() {
   return {{0.8e-3, 0.1}, {0.9e-3, 0.2}, {1.0e-3, 0.2}, {1.1e-3, 0.2}, {1.2e-3, 0.2}, {1.3e-3, 0.1}};
 }
 
+/// Diameters of the direct-shear sample (Richefeu et al. 2007, section 3.2).
+inline grading shear_grading() { return {{2.0e-3, 0.5}, {1.5e-3, 0.3}, {1.0e-3, 0.2}}; }
+
 /// Mean diameter by number, m.
 inline double mean_diameter(const grading& g) {
   return std::accumulate(g.begin(), g.end(), 0.0,

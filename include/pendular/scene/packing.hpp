@@ -5,6 +5,7 @@
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/scene/grading.hpp>
+#include <pendular/scene/lid.hpp>
 #include <pendular/scene/placement.hpp>
 #include <pendular/scene/sample.hpp>
 #include <pendular/scene/stages.hpp>
@@ -12,8 +13,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pendular::scene {
@@ -28,7 +31,7 @@ struct packing_parameters {
   double gravity = 9.81;    // m/s2
   double lid_stress = 300;  // that seals the sample, Pa
   double deposition = 0.2;  // s
-  double sealing = 0.2;     // s
+  double sealing = 0.2;     // s; 0: no lid
   double time_step = 4e-6;  // s
   std::uint64_t seed = 1;
   bool force = false;  // run even if the scene breaks a limit
@@ -44,14 +47,15 @@ inline void validate(const packing_parameters& p) {
   expects_positive("the gravity (m/s2)", p.gravity, page);
   expects_positive("the stress of the lid (Pa)", p.lid_stress, page);
   expects_positive("the duration of the deposition (s)", p.deposition, page);
-  expects_positive("the duration of the sealing (s)", p.sealing, page);
+  expects(p.sealing >= 0 && std::isfinite(p.sealing), "the duration of the sealing (s)", p.sealing,
+          "at least 0 and finite", page);
   expects_positive("the time step (s)", p.time_step, page);
 }
 
 /// Grains at rest between floor, cylinder and lid, in the order of their ids.
 struct sealed_packing {
   std::vector<grain> grains;
-  double height = 0;  // of the lid, m
+  double height = 0;  // of the lid, or of the highest grain where there is none, m
   double solid_fraction = 0;
   double solid_mass = 0;  // kg
 };
@@ -64,6 +68,12 @@ inline void save(io::checkpoint_writer& out, const sealed_packing& p) {
   out.put("packing.numbers", numbers);
 }
 
+inline void write(const sealed_packing& p, const std::filesystem::path& file) {
+  io::checkpoint_writer out(file);
+  save(out, p);
+  out.commit();
+}
+
 /// Errors: std::runtime_error if the file holds no packing.
 inline sealed_packing load_packing(const io::checkpoint_reader& in) {
   const auto numbers = in.get<std::vector<double>>("packing.numbers");
@@ -71,6 +81,14 @@ inline sealed_packing load_packing(const io::checkpoint_reader& in) {
   for (std::size_t k = 3; k + 4 < numbers.size(); k += 5) {
     p.grains.push_back({{numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]});
   }
+  return p;
+}
+
+/// The same of a packing that must have so many grains. Errors: input_error too.
+inline sealed_packing load_packing(const io::checkpoint_reader& in, std::int64_t grains, std::string_view page) {
+  sealed_packing p = load_packing(in);
+  expects(static_cast<std::int64_t>(p.grains.size()) == grains, "the number of grains in the packing",
+          static_cast<double>(p.grains.size()), "that of --grains", page);
   return p;
 }
 
@@ -96,12 +114,13 @@ class packing {
       run_stage(
           system_, "deposit", done_, steps(parameters_.deposition), slice, watch,
           [&] { return "height " + millimetres(top()); }, keep);
+      if (steps(parameters_.sealing) == 0) return sealed(top());
       put_lid_on();
     }
     run_stage(
         system_, "seal", done_, steps(parameters_.sealing), slice, watch,
         [&] { return "height " + millimetres(lid().shape.point.z); }, keep);
-    return sealed();
+    return sealed(lid().shape.point.z);
   }
 
   void resume(const io::checkpoint_reader& in) {
@@ -120,12 +139,10 @@ class packing {
   }
   static half_step_velocity_verlet integrator(const packing_parameters& p) { return {p.time_step, {0, 0, -p.gravity}}; }
   static walls_type enclosure(const packing_parameters& p, const smooth& m) {
-    using boundary::wall, boundary::plane, boundary::cylinder, boundary::fixed, boundary::servo_stress;
-    const double lid_mass = 2 * p.area(), lid_damping = 2000 * p.area();  // light, and near critical on a sample
-    return walls_type{
-        wall(plane{{0, 0, 0}, {0, 0, 1}}, fixed{}, m),
-        wall(cylinder{{0, 0, 0}, {0, 0, 1}, p.cylinder_radius}, fixed{}, m),
-        wall(plane{{0, 0, out_of_the_way}, {0, 0, -1}}, servo_stress{0, p.area(), lid_mass, lid_damping}, m)};
+    using boundary::wall, boundary::plane, boundary::cylinder, boundary::fixed;
+    return walls_type{wall(plane{{0, 0, 0}, {0, 0, 1}}, fixed{}, m),
+                      wall(cylinder{{0, 0, 0}, {0, 0, 1}, p.cylinder_radius}, fixed{}, m),
+                      wall(plane{{0, 0, out_of_the_way}, {0, 0, -1}}, loading_lid(0, p.area()), m)};
   }
 
   void fill() {
@@ -146,15 +163,14 @@ class packing {
     done_ = 0;
   }
 
-  sealed_packing sealed() const {
-    sealed_packing p;
+  sealed_packing sealed(double height) const {
+    sealed_packing p{{}, height, 0, 0};
     const auto& g = system_.particles();
     for (const std::size_t row : g.rows_by_id()) {
       p.grains.push_back(g[row]);
       p.solid_mass += 1 / g.template get<column::inverse_mass>()[row];
     }
-    p.height = boundary::get<2>(system_.walls()).shape.point.z;
-    p.solid_fraction = solid_volume(g) / (parameters_.area() * p.height);
+    p.solid_fraction = solid_volume(g) / (parameters_.area() * height);
     return p;
   }
 

@@ -24,14 +24,14 @@ struct monitor {
 
 inline std::string millimetres(double length) { return std::to_string(length * 1e3).substr(0, 6) + " mm"; }
 
-/// Runs one stage in slices, from `done` steps to `total`: after every slice `look` is called, and after every
-/// checkpoint interval the list is made anew and `save` is called. Both happen at fixed step numbers, so a resumed run
-/// does the same as one that was never stopped.
-template <class System, class Look, class Save>
+/// Runs one stage in slices, from `done` steps to `total`, or until `over` says so: after every slice `look` is called,
+/// and after every checkpoint interval the list is made anew and `save` is called. All happen at fixed step numbers, so
+/// a resumed run does the same as one that was never stopped.
+template <class System, class Look, class Save, class Over>
 void run_stage(System& s, const std::string& name, std::int64_t& done, std::int64_t total, std::int64_t slice,
-               const monitor& watch, const Look& look, const Save& save) {
+               const monitor& watch, const Look& look, const Save& save, const Over& over) {
   const std::int64_t every = std::max<std::int64_t>(1, watch.checkpoint_interval / slice) * slice;
-  while (done < total) {
+  while (done < total && !over()) {
     const std::int64_t steps = std::min(slice, total - done);
     s.run(steps);
     done += steps;
@@ -42,6 +42,11 @@ void run_stage(System& s, const std::string& name, std::int64_t& done, std::int6
       save();
     }
   }
+}
+template <class System, class Look, class Save>
+void run_stage(System& s, const std::string& name, std::int64_t& done, std::int64_t total, std::int64_t slice,
+               const monitor& watch, const Look& look, const Save& save) {
+  run_stage(s, name, done, total, slice, watch, look, save, [] { return false; });
 }
 
 }  // namespace pendular::scene

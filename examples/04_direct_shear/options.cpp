@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.hpp"
+
+#include "../common/command_line.hpp"
+
+#include <cmath>
+#include <sstream>
+
+options::options() {
+  output = "direct_shear";
+  water_content = 0.01;
+  protocol = "grain-films";  // section 3.2
+  stiffness = 2500;          // 1000 N/m would let grains of 2 mm overlap by more than a thousandth
+  time_step = 4e-6;
+  mass_scaling = 1;
+}
+
+double options::cell_radius() const { return 23e-3 * std::cbrt(static_cast<double>(grains) / 7307.0); }
+
+namespace {
+
+void describe(CLI::App& app, options& o) {
+  app.add_option("--normal-stress", o.normal_stress, "of the lid, Pa")
+      ->check(examples::positive)
+      ->capture_default_str();
+  app.add_option("--shear-speed", o.shear_speed, "of the upper half, m/s")
+      ->check(examples::positive)
+      ->capture_default_str();
+  app.add_option("--displacement", o.displacement, "of the upper half, m")
+      ->check(examples::positive)
+      ->capture_default_str();
+  app.add_option("--solid-fraction", o.solid_fraction, "at which friction comes, if the sample gets so dense")
+      ->check(CLI::Range(0.3, 0.73))
+      ->capture_default_str();
+  app.add_option("--wall-friction", o.wall_friction, "of both halves; what is not 0 adds to the normal stress")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  app.add_option("--plate-friction", o.plate_friction, "of the floor, and of the lid, which moves with the upper half")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  app.add_option("--packing", o.packing, "start from packing.bin of an earlier job of as many grains")
+      ->check(CLI::ExistingFile);
+  app.add_option("--grains", o.grains, "number of grains; fewer than 7307 make a smaller cell of the same shape")
+      ->check(CLI::Range(std::int64_t{100}, std::int64_t{1000000}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+std::string options::physics() const {
+  std::ostringstream text;
+  text.precision(17);
+  text << physics_of(*this) << " normal-stress " << normal_stress << " shear-speed " << shear_speed << " displacement "
+       << displacement << " solid-fraction " << solid_fraction << " wall-friction " << wall_friction
+       << " plate-friction " << plate_friction << " packing " << packing.string() << " grains " << grains << " seed "
+       << seed << " checkpoint-interval " << checkpoint_interval;
+  return text.str();
+}
+
+std::vector<std::string> options::departures() const {
+  std::vector<std::string> list = departures_of(*this);
+  const options usual;
+  const auto add = [&](bool differs, const auto&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    if (differs) list.push_back(text.str());
+  };
+  add(grains != usual.grains, "grains: ", grains, " in a smaller cell; the paper has 7307 in 46 mm");
+  add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
+  add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
+  add(true, "open in the paper, chosen here: speed ", shear_speed, " m/s, friction of the halves ", wall_friction,
+      ", of floor and lid ", plate_friction);
+  return list;
+}
+
+options read_options(int count, char** arguments) {
+  options o;
+  CLI::App app("Direct shear of a dry or wet granular sample (Richefeu et al. 2007, section 3.2).");
+  examples::describe(app, static_cast<examples::wet_options&>(o));
+  describe(app, o);
+  examples::describe(app, static_cast<examples::job_options&>(o));
+  examples::parse(app, "04_direct_shear", count, arguments);
+  return o;
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report.hpp"
+#include "run.hpp"
+
+#include "../common/composition.hpp"
+#include "../common/facts.hpp"
+#include "../common/snapshot.hpp"
+
+#include <pendular/scene/direct_shear.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace test {
+
+using namespace pendular;
+
+inline scene::shear_parameters parameters(const options& o) {
+  scene::shear_parameters p;
+  p.cell_radius = o.cell_radius();
+  p.normal_stress = o.normal_stress;
+  p.water_content = o.water_content;
+  p.solid_fraction = o.solid_fraction;
+  p.shear_speed = o.shear_speed;
+  p.displacement = o.displacement;
+  p.time_step = o.time_step;
+  p.mass_scaling = o.mass_scaling;
+  p.sample_interval = std::min(p.sample_interval, o.displacement / 20);
+  p.selection = {o.thinning, o.seed};
+  p.force = o.force;
+  return p;
+}
+
+/// A scene that starts or goes on, observed.
+template <class Scene>
+class job {
+ public:
+  job(const options& o, Scene& scene) : options_(o), scene_(scene) {
+    if (scene.shearing() && o.snapshots > 0) {
+      shots_ = static_cast<int>(std::floor(scene.result().records.back().displacement / shot_interval() + 1e-9)) + 1;
+    }
+    lines_before_ = scene.result().records.size();
+    scene.look = [this](const auto& s, const scene::shear_result& r) { look(s, r); };
+  }
+
+  void run(const scene::monitor& watch) {
+    scene_.run(watch);
+    const auto& result = scene_.result();
+    report(options_, result, facts());
+    draw_sample(options_, examples::take(scene_.sample(), result.reference, result.records.back().time),
+                result.records.back().height);
+  }
+
+ private:
+  double shot_interval() const { return options_.displacement / options_.snapshots; }
+
+  template <class System>
+  void look(const System& s, const scene::shear_result& r) {
+    if (r.records.empty()) test_began_ = examples::seconds();
+    const double way = r.records.empty() ? 0 : r.records.back().displacement;
+    if (options_.snapshots == 0 || way < shots_ * shot_interval() - 1e-9) return;
+    write_snapshot(options_, examples::take(s, r.reference, way / options_.shear_speed), shots_++);
+  }
+
+  examples::run_facts facts() const {
+    const scene::shear_result& r = scene_.result();
+    examples::run_facts f = examples::facts_of(scene_.sample());
+    f.wall_time = examples::seconds() - began_;
+    f.test_time = examples::seconds() - test_began_;
+    const double each = parameters(options_).sample_interval / options_.shear_speed;
+    f.test_steps = std::llround(static_cast<double>(r.records.size() - lines_before_) *
+                                std::max(1.0, std::round(each / options_.time_step)));
+    f.mean_diameter = scene::mean_diameter(scene::shear_grading());
+    for (const auto& line : r.records) f.worst_liquid = std::max(f.worst_liquid, std::abs(line.liquid - 1));
+    f.imbalance = r.records.back().energy.imbalance;
+    f.turnover = r.records.back().energy.turnover;
+    f.energy_at_start = r.energy_at_start;
+    f.departures = options_.departures();
+    return f;
+  }
+
+  const options& options_;
+  Scene& scene_;
+  int shots_ = 0;
+  std::size_t lines_before_ = 0;
+  double began_ = examples::seconds(), test_began_ = examples::seconds();
+};
+
+template <class Friction>
+auto materials(const options& o, const Friction& friction) {
+  const auto with = [&](double coefficient) {
+    Friction f = friction;
+    f.friction_coefficient = coefficient;
+    return examples::contact(o, f);
+  };
+  return scene::shear_materials{with(0), examples::contact(o, friction), with(o.wall_friction), with(o.plate_friction)};
+}
+
+/// Runs one composition from wherever it is to the end.
+template <class Friction, class Liquid>
+void run(const options& o, const Friction& friction, const Liquid& l, const examples::restart& from,
+         const scene::monitor& watch) {
+  scene::direct_shear scene(parameters(o), materials(o, friction), l);
+  if (from && from->template get<std::string>("scene.stage") != "deposit") {
+    scene.resume(*from);
+  } else {
+    scene.start(prepare(o, from, watch));
+  }
+  job(o, scene).run(watch);
+}
+
+/// Both kinds of protocol with one composition.
+template <class Friction, class Law, class Rupture>
+void with_laws(const options& o, const Friction& friction, const Law& law, const Rupture& rupture,
+               const examples::restart& from, const scene::monitor& watch) {
+  examples::with_protocol(o, law, rupture, [&](const auto& liquid) { run(o, friction, liquid, from, watch); });
+}
+
+}  // namespace test

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "test.hpp"
+
+#include <pendular/law/capillary/richefeu.hpp>
+#include <pendular/law/rupture/lian.hpp>
+
+void run_with_coulomb_spring(const options& o, const examples::restart& from, const pendular::scene::monitor& watch) {
+  using namespace pendular;
+  test::with_laws(o, examples::spring_friction(o), capillary::richefeu{}, rupture::lian{}, from, watch);
+}

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Bad input gets one line that names the culprit, and an exit code that is not 0.
+function(expect_complaint words)
+  execute_process(COMMAND "${program}" "${folder}/bad" ${ARGN} RESULT_VARIABLE code ERROR_VARIABLE said OUTPUT_VARIABLE out)
+  string(STRIP "${said}" said)
+  if(code EQUAL 0)
+    message(FATAL_ERROR "accepted: ${ARGN}")
+  endif()
+  if(NOT said MATCHES "${words}")
+    message(FATAL_ERROR "${ARGN}: the complaint lacks '${words}': ${said}")
+  endif()
+  if(said MATCHES "\n")
+    message(FATAL_ERROR "${ARGN}: more than one line: ${said}")
+  endif()
+endfunction()

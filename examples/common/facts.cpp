@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace examples {
+
+using json = nlohmann::ordered_json;
+
+namespace {
+
+json energy_entries(const pendular::observe::energies& e) {
+  return {{"kinetic_J", e.kinetic},
+          {"gravity_J", e.gravity},
+          {"elastic_J", e.elastic},
+          {"capillary_J", e.capillary},
+          {"damping_J", e.damping},
+          {"friction_J", e.friction},
+          {"friction_springs_J", e.friction_springs},
+          {"liquid_J", e.liquid},
+          {"walls_J", e.walls}};
+}
+
+double relative_imbalance(const run_facts& f) { return f.turnover > 0 ? f.imbalance / f.turnover : 0; }
+
+double ns_per_grain_and_step(const run_facts& f) {
+  return f.test_steps > 0 ? 1e9 * f.test_time / static_cast<double>(f.test_steps) / f.grains : 0;
+}
+
+}  // namespace
+
+void put_facts(json& s, const run_facts& f) {
+  s["liquid"] = {{"introduced_m3", f.liquid_volume},
+                 {"worst_relative_loss", f.worst_liquid},
+                 {"largest_bridge_over_R3", f.largest_bridge},
+                 {"ruptures", f.ruptures},
+                 {"formations", f.formations},
+                 {"bridges_made_outside_of_capillary_law", f.outside_capillary_law},
+                 {"bridges_made_outside_of_rupture_law", f.outside_rupture_law}};
+  s["energy"] = {{"at_start", energy_entries(f.energy_at_start)},
+                 {"at_end", energy_entries(f.energy_at_end)},
+                 {"imbalance_J", f.imbalance},
+                 {"turnover_J", f.turnover},
+                 {"relative_imbalance", relative_imbalance(f)}};
+  s["cost"] = {{"threads", f.threads},
+               {"wall_time_s", f.wall_time},
+               {"test_time_s", f.test_time},
+               {"test_steps", f.test_steps},
+               {"ns_per_grain_and_step", ns_per_grain_and_step(f)}};
+  s["limits"] = f.limits;
+  s["departures_from_the_paper"] = f.departures;
+}
+
+void print_facts(const run_facts& f) {
+  std::printf("Liquid       %.4e m3, worst relative change of the total %.1e; %lld ruptures, %lld formations\n",
+              f.liquid_volume, f.worst_liquid, static_cast<long long>(f.ruptures),
+              static_cast<long long>(f.formations));
+  std::printf("Validity     bridges made beyond the range of the law: %lld capillary, %lld rupture\n",
+              static_cast<long long>(f.outside_capillary_law), static_cast<long long>(f.outside_rupture_law));
+  std::printf("Energy       imbalance %.2e J of %.2e J turned over (%.1e)\n", f.imbalance, f.turnover,
+              relative_imbalance(f));
+  std::printf("Cost         %.1f s in all on %d threads, %.1f ns per grain and step in the test\n", f.wall_time,
+              f.threads, ns_per_grain_and_step(f));
+  for (const auto& line : f.limits) std::printf("Limit        %s\n", line.c_str());
+  for (const auto& line : f.departures) std::printf("Departure    %s\n", line.c_str());
+}
+
+void write_summary(const job_options& o, const json& summary) {
+  std::ofstream file(o.output / "summary.json");
+  file << summary.dump(2) << '\n';
+  if (!file.flush()) throw std::runtime_error("summary.json cannot be written in " + o.output.string());
+}
+
+}  // namespace examples

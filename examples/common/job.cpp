@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job.hpp"
+
+#include <pendular/io/progress.hpp>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace examples {
+
+namespace {
+
+constexpr const char* checkpoint_name = "checkpoint.bin";
+
+restart read_checkpoint(const job_options& o, const std::string& physics) {
+  if (!o.resume) return {};
+  restart from(std::in_place, o.output / checkpoint_name);
+  if (const auto label = from->get<std::string>("scene.label"); label != physics) {
+    throw std::runtime_error("the checkpoint in " + o.output.string() + " was written with other options (" + label +
+                             "): resume with the same ones");
+  }
+  return from;
+}
+
+/// One bar for all stages.
+class stage_bar {
+ public:
+  void operator()(const std::string& stage, std::int64_t done, std::int64_t total, const std::string& news) {
+    if (!bar_) {
+      bar_ = std::make_unique<pendular::io::progress>(stage, static_cast<double>(total), static_cast<double>(done));
+    } else if (stage != shown_) {
+      bar_->begin(stage, static_cast<double>(total), static_cast<double>(done));
+    }
+    shown_ = stage;
+    bar_->update(static_cast<double>(done), news);
+    if (done == total) bar_->finish(news);
+  }
+
+ private:
+  std::unique_ptr<pendular::io::progress> bar_;
+  std::string shown_;
+};
+
+}  // namespace
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+int thread_count() {
+#ifdef _OPENMP
+  return omp_get_max_threads();
+#else
+  return 1;
+#endif
+}
+
+int run_job(const std::string& program, const job_options& o, const std::string& physics,
+            const std::function<void(const restart&, const pendular::scene::monitor&)>& work) {
+  try {
+#ifdef _OPENMP
+    if (o.threads > 0) omp_set_num_threads(o.threads);
+#endif
+    const restart from = read_checkpoint(o, physics);
+    std::filesystem::create_directories(o.output);
+    stage_bar bar;
+    pendular::scene::monitor watch;
+    watch.checkpoint = o.output / checkpoint_name;
+    watch.checkpoint_interval = o.checkpoint_interval;
+    watch.label = physics;
+    watch.progress = std::ref(bar);
+    work(from, watch);
+  } catch (const std::exception& error) {
+    std::cerr << '\n' << program << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace examples

@@ -12,6 +12,9 @@ void describe(CLI::App& app, options& o) {
       ->check(examples::positive)
       ->capture_default_str();
   app.add_option("--duration", o.duration, "of the compression, s")->check(examples::positive)->capture_default_str();
+  app.add_option("--relaxation", o.relaxation, "without the cylinder before the wall moves, s; 0: none")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
   app.add_option("--preparation-friction", o.preparation_friction,
                  "between grains while the sample is made; 0 is densest")
       ->check(CLI::Range(0.0, 2.0))
@@ -28,9 +31,9 @@ void describe(CLI::App& app, options& o) {
 std::string options::physics() const {
   std::ostringstream text;
   text.precision(17);
-  text << physics_of(*this) << " wall-speed " << wall_speed << " duration " << duration << " preparation-friction "
-       << preparation_friction << " packing " << packing.string() << " grains " << grains << " seed " << seed
-       << " checkpoint-interval " << checkpoint_interval;
+  text << physics_of(*this) << " wall-speed " << wall_speed << " duration " << duration << " relaxation " << relaxation
+       << " preparation-friction " << preparation_friction << " packing " << packing.string() << " grains " << grains
+       << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
   return text.str();
 }
 
@@ -45,6 +48,7 @@ std::vector<std::string> options::departures() const {
   add(grains != usual.grains, "grains: ", grains, " in a smaller cylinder; the paper has 8000 in 25 mm");
   add(wall_speed != usual.wall_speed, "wall speed: ", wall_speed, " m/s; the paper has 1 mm/s");
   add(duration != usual.duration, "duration: ", duration, " s; the paper has 2 s");
+  add(relaxation == 0, "relaxation: none before the wall moves");
   add(preparation_friction != 0, "preparation: friction ", preparation_friction,
       " between grains; the paper does not say");
   return list;

@@ -13,6 +13,7 @@
 struct options : examples::job_options, examples::wet_options {
   double wall_speed = 1e-3;  // m/s
   double duration = 2;       // s
+  double relaxation = 0.1;   // s
   double preparation_friction = 0;
   std::filesystem::path packing;  // to start from, instead of making one
   std::int64_t grains = 8000;

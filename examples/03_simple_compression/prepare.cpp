@@ -17,7 +17,7 @@ scene::sealed_packing prepare_with(const options& o, const Material& m, const ex
   p.cylinder_radius *= std::cbrt(static_cast<double>(o.grains) / 8000.0);
   p.time_step = o.preparation_time_step();  // grains weigh what they weigh while the sample is made
   p.seed = o.seed;
-  p.force = o.force;
+  p.numerics.force = o.force;
   scene::packing<Material> packing(p, m, material{normal::linear{o.stiffness}, damping::viscous{0.8}});
   if (from) packing.resume(*from);
   const scene::sealed_packing sealed = packing.run(watch);

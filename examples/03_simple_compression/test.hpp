@@ -33,7 +33,8 @@ inline scene::compression_parameters parameters(const options& o) {
   p.mass_scaling = o.mass_scaling;
   p.sample_interval = std::min(1e-6 / o.wall_speed, o.duration / 10);  // a line per micrometre
   p.selection = {o.thinning, o.seed};
-  p.force = o.force;
+  p.numerics = {.skin = o.skin, .force = o.force};
+  p.relaxation = o.relaxation;
   return p;
 }
 
@@ -100,7 +101,9 @@ void run(const options& o, const Material& m, const Liquid& l, const examples::r
   if (stage != "deposit" && stage != "seal") {
     scene.resume(*from);
   } else {
-    scene.start(prepare(o, from, watch));
+    const scene::sealed_packing packing = prepare(o, from, watch);
+    if (o.packing_only) return;
+    scene.start(packing);
   }
   job(o, scene).run(watch);
 }

@@ -6,5 +6,5 @@
 
 void run_with_viscous_coulomb(const options& o, const examples::restart& from, const pendular::scene::monitor& watch) {
   using namespace pendular;
-  test::with_laws(o, examples::viscous_friction, capillary::richefeu{}, rupture::lian{}, from, watch);
+  test::with_laws(o, examples::viscous_friction(o), capillary::richefeu{}, rupture::lian{}, from, watch);
 }

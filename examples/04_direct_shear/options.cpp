@@ -15,7 +15,13 @@ options::options() {
   mass_scaling = 1;
 }
 
-double options::cell_radius() const { return 23e-3 * std::cbrt(static_cast<double>(grains) / 7307.0); }
+double options::cell_radius() const { return 23e-3 * scale * std::cbrt(static_cast<double>(grains) / 7307.0); }
+
+pendular::scene::grading options::grain_sizes() const {
+  pendular::scene::grading sizes = pendular::scene::shear_grading();
+  for (auto& share : sizes) share.diameter *= scale;
+  return sizes;
+}
 
 namespace {
 
@@ -38,6 +44,12 @@ void describe(CLI::App& app, options& o) {
   app.add_option("--plate-friction", o.plate_friction, "of the floor, and of the lid, which moves with the upper half")
       ->check(CLI::Range(0.0, 2.0))
       ->capture_default_str();
+  app.add_option("--scale", o.scale, "of grains and cell over the paper's")
+      ->check(examples::positive)
+      ->capture_default_str();
+  app.add_option("--residual-from", o.residual_from, "the residual stress is the mean beyond so many mean diameters")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--packing", o.packing, "start from packing.bin of an earlier job of as many grains")
       ->check(CLI::ExistingFile);
   app.add_option("--grains", o.grains, "number of grains; fewer than 7307 make a smaller cell of the same shape")
@@ -52,8 +64,8 @@ std::string options::physics() const {
   text.precision(17);
   text << physics_of(*this) << " normal-stress " << normal_stress << " shear-speed " << shear_speed << " displacement "
        << displacement << " solid-fraction " << solid_fraction << " wall-friction " << wall_friction
-       << " plate-friction " << plate_friction << " packing " << packing.string() << " grains " << grains << " seed "
-       << seed << " checkpoint-interval " << checkpoint_interval;
+       << " plate-friction " << plate_friction << " scale " << scale << " packing " << packing.string() << " grains "
+       << grains << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
   return text.str();
 }
 
@@ -66,6 +78,7 @@ std::vector<std::string> options::departures() const {
     if (differs) list.push_back(text.str());
   };
   add(grains != usual.grains, "grains: ", grains, " in a smaller cell; the paper has 7307 in 46 mm");
+  add(scale != 1, "scale: grains and cell ", scale, " times the paper's");
   add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
   add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
   add(true, "open in the paper, chosen here: speed ", shear_speed, " m/s, friction of the halves ", wall_friction,

@@ -4,6 +4,8 @@
 #include "../common/job.hpp"
 #include "../common/wet_options.hpp"
 
+#include <pendular/scene/grading.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -17,6 +19,8 @@ struct options : examples::job_options, examples::wet_options {
   double solid_fraction = 0.6;    // at which friction comes
   double wall_friction = 0;       // of both halves
   double plate_friction = 0.4;    // of floor and lid
+  double scale = 1;               // of grains and cell over the paper's
+  double residual_from = 2;       // mean diameters
   std::filesystem::path packing;  // to start from, instead of making one
   std::int64_t grains = 7307;
 
@@ -24,6 +28,7 @@ struct options : examples::job_options, examples::wet_options {
 
   bool dry() const { return water_content == 0; }
   double cell_radius() const;  // m
+  pendular::scene::grading grain_sizes() const;
 
   /// Everything that decides the results, in one line: kept in the checkpoint and compared on resume.
   std::string physics() const;

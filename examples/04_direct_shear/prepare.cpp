@@ -9,13 +9,13 @@ scene::sealed_packing prepare(const options& o, const examples::restart& from, c
   }
   scene::packing_parameters p;
   p.grains = o.grains;
-  p.sizes = scene::shear_grading();
+  p.sizes = o.grain_sizes();
   p.cylinder_radius = o.cell_radius();
   p.deposition = 0.3;
   p.sealing = 0;                            // the lid comes when the liquid is there
   p.time_step = o.preparation_time_step();  // grains weigh what they weigh while the sample is made
   p.seed = o.seed;
-  p.force = o.force;
+  p.numerics.force = o.force;
   const material smooth{normal::linear{o.stiffness}, damping::viscous{0.8}};
   scene::packing packing(p, smooth, smooth);
   if (from) packing.resume(*from);

@@ -89,13 +89,12 @@ double inertial_number(const options& o) {
 }
 
 json strength(const options& o, const curve& c) {
-  constexpr double residual_from = 1;  // mean diameters; the paper: "a displacement of the order of one diameter"
   const auto way = c.displacement(), smooth = c.smooth();
-  const auto shear = examples::mean_beyond(way, c.shear_stress(), residual_from);
-  const auto plane = examples::mean_beyond(way, c.plane_stress(), residual_from);
+  const auto shear = examples::mean_beyond(way, c.shear_stress(), o.residual_from);
+  const auto plane = examples::mean_beyond(way, c.plane_stress(), o.residual_from);
   const auto top = std::max_element(smooth.begin(), smooth.end());
   return {{"normal_stress_Pa", o.normal_stress},
-          {"residual_from_mean_diameters", residual_from},
+          {"residual_from_mean_diameters", o.residual_from},
           {"residual_shear_stress_Pa", shear.mean},
           {"residual_shear_stress_error_Pa", shear.error},
           {"plane_stress_Pa", plane.mean},

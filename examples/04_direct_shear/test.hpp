@@ -30,7 +30,7 @@ inline scene::shear_parameters parameters(const options& o) {
   p.mass_scaling = o.mass_scaling;
   p.sample_interval = std::min(p.sample_interval, o.displacement / 20);
   p.selection = {o.thinning, o.seed};
-  p.force = o.force;
+  p.numerics = {.skin = o.skin, .force = o.force};
   return p;
 }
 
@@ -73,7 +73,7 @@ class job {
     const double each = parameters(options_).sample_interval / options_.shear_speed;
     f.test_steps = std::llround(static_cast<double>(r.records.size() - lines_before_) *
                                 std::max(1.0, std::round(each / options_.time_step)));
-    f.mean_diameter = scene::mean_diameter(scene::shear_grading());
+    f.mean_diameter = scene::mean_diameter(options_.grain_sizes());
     for (const auto& line : r.records) f.worst_liquid = std::max(f.worst_liquid, std::abs(line.liquid - 1));
     f.imbalance = r.records.back().energy.imbalance;
     f.turnover = r.records.back().energy.turnover;
@@ -107,7 +107,9 @@ void run(const options& o, const Friction& friction, const Liquid& l, const exam
   if (from && from->template get<std::string>("scene.stage") != "deposit") {
     scene.resume(*from);
   } else {
-    scene.start(prepare(o, from, watch));
+    const scene::sealed_packing packing = prepare(o, from, watch);
+    if (o.packing_only) return;
+    scene.start(packing);
   }
   job(o, scene).run(watch);
 }

@@ -33,6 +33,8 @@ void describe(CLI::App& app, job_options& o) {
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
   app.add_flag("--resume", o.resume, "go on from the checkpoint in the output folder");
+  app.add_flag("--continue", o.go_on, "the same if there is one, from the start if not");
+  app.add_flag("--packing-only", o.packing_only, "stop when packing.bin is written");
   app.add_flag("--force", o.force, "run although the scene breaks a limit of stability");
   app.add_flag("!--no-pictures", o.pictures, "leave out plots and pictures");
 }
@@ -50,6 +52,9 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_option("--friction", o.friction, "friction law; the paper has viscous-coulomb")
       ->check(CLI::IsMember({"coulomb-spring", "viscous-coulomb", "viscous-coulomb-explicit"}))
       ->capture_default_str();
+  app.add_option("--tangential-viscosity", o.tangential_viscosity, "gamma_t of viscous-coulomb, N s/m")
+      ->check(positive)
+      ->capture_default_str();
   app.add_option("--stiffness", o.stiffness, "k_n, N/m; a tangential spring has 0.8 of it")
       ->check(positive)
       ->capture_default_str();
@@ -65,6 +70,8 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_option("--mass-scaling", o.mass_scaling, "factor on the inertia of the grains, not on their weight")
       ->check(positive)
       ->capture_default_str();
+  app.add_option("--skin", o.skin, "of the neighbour list over the smallest radius; results do not depend on it")
+      ->check(CLI::Range(0.001, 9.9));
   app.add_flag_callback(
       "--paper", [&o] { o.take_from_paper(); },
       "as the paper and its companion have it: Eq. 12, 1e-6 s, mass as it is");

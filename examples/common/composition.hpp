@@ -27,10 +27,14 @@ auto contact(const wet_options& o, const Friction& friction) {
   return material{normal::linear{o.stiffness}, damping::viscous{0.8}, friction, energy_book{}};
 }
 
-// Friction laws with the coefficient 0.4 of the paper and, in Eq. 12, the companion paper's 1 N s/m.
+// Friction laws with the coefficient 0.4 of the paper.
 inline pendular::friction::coulomb_spring spring_friction(const wet_options& o) { return {0.8 * o.stiffness, 0.4}; }
-inline constexpr pendular::friction::viscous_coulomb viscous_friction{1.0, 0.4};
-inline constexpr pendular::friction::viscous_coulomb_explicit explicit_viscous_friction{1.0, 0.4};
+inline pendular::friction::viscous_coulomb viscous_friction(const wet_options& o) {
+  return {o.tangential_viscosity, 0.4};
+}
+inline pendular::friction::viscous_coulomb_explicit explicit_viscous_friction(const wet_options& o) {
+  return {o.tangential_viscosity, 0.4};
+}
 
 inline pendular::fluid water(const wet_options& o) {
   return {o.surface_tension_force / (2 * std::numbers::pi), 0.0, 1000.0, 1e-3};  // theta = 0, companion paper

@@ -21,7 +21,8 @@ namespace {
 constexpr const char* checkpoint_name = "checkpoint.bin";
 
 restart read_checkpoint(const job_options& o, const std::string& physics) {
-  if (!o.resume) return {};
+  const bool begun = std::filesystem::exists(o.output / checkpoint_name);
+  if (!o.resume && !(o.go_on && begun)) return {};
   restart from(std::in_place, o.output / checkpoint_name);
   if (const auto label = from->get<std::string>("scene.label"); label != physics) {
     throw std::runtime_error("the checkpoint in " + o.output.string() + " was written with other options (" + label +

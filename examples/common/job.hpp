@@ -20,6 +20,8 @@ struct job_options {
   std::int64_t checkpoint_interval = 50000;  // steps
   int snapshots = 8;
   bool resume = false;
+  bool go_on = false;  // resume if there is a checkpoint
+  bool packing_only = false;
   bool force = false;
   bool pictures = true;
 };

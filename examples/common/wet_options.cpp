@@ -18,8 +18,9 @@ std::string physics_of(const wet_options& o) {
   std::ostringstream text;
   text.precision(17);
   text << "water-content " << o.water_content << " protocol " << o.protocol << " law " << o.law << " friction "
-       << o.friction << " stiffness " << o.stiffness << " thinning " << o.thinning << " kappa "
-       << o.surface_tension_force << " time-step " << o.time_step << " mass-scaling " << o.mass_scaling;
+       << o.friction << " tangential-viscosity " << o.tangential_viscosity << " stiffness " << o.stiffness
+       << " thinning " << o.thinning << " kappa " << o.surface_tension_force << " time-step " << o.time_step
+       << " mass-scaling " << o.mass_scaling;
   return text.str();
 }
 
@@ -32,6 +33,8 @@ std::vector<std::string> departures_of(const wet_options& o) {
   };
   add(o.friction == "coulomb-spring",
       "friction: tangential spring of 0.8 k_n with Coulomb limit; the paper has Eq. 12");
+  add(o.tangential_viscosity != 1 && o.friction != "coulomb-spring", "friction: gamma_t = ", o.tangential_viscosity,
+      " N s/m; the companion paper has 1");
   add(o.stiffness != 1000, "stiffness: k_n = ", o.stiffness, " N/m; the companion paper has 1000");
   add(o.friction == "viscous-coulomb", "friction: Eq. 12 in this library's form that is stable at any step");
   add(o.time_step != 1e-6, "time step: ", o.time_step, " s; the companion paper has 1e-6 s");

@@ -4,6 +4,7 @@
 #include <pendular/liquid/selection.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,13 @@ struct wet_options {
   std::string protocol = "homogeneous";
   std::string law = "richefeu";
   std::string friction = "coulomb-spring";
-  double stiffness = 1000;  // k_n, N/m; a tangential spring has 0.8 of it
+  double tangential_viscosity = 1;  // gamma_t of Eq. 12, N s/m
+  double stiffness = 1000;          // k_n, N/m; a tangential spring has 0.8 of it
   double thinning = 1;
   double surface_tension_force = 0.4;  // kappa = 2 pi gamma_s cos(theta), N/m
   double time_step = 8e-6;             // s, of the test; the preparation has time_step / sqrt(mass_scaling)
   double mass_scaling = 4;
+  std::optional<double> skin;  // of the neighbour list, in units of the smallest radius; results do not depend on it
 
   /// Eq. 12, the companion paper's time step, mass as it is.
   void take_from_paper();

@@ -36,7 +36,7 @@ struct shear_parameters {
   double mass_scaling = 1;        // of the inertia; weights stay
   double sample_interval = 1e-5;  // of the curve, m
   bond_selection selection{};
-  bool force = false;  // run even if the scene breaks a limit
+  run_options numerics{};
 
   double area() const { return std::numbers::pi * cell_radius * cell_radius; }
   double duration() const { return displacement / shear_speed; }
@@ -146,11 +146,10 @@ class direct_shear {
 
   static system_type build(const shear_parameters& p, const Material& m, const Liquid& l) {
     const half_step_velocity_verlet integrator{p.time_step, {0, 0, -p.gravity / p.mass_scaling}};
-    const run_options options{.force = p.force};
     if constexpr (system_type::wet) {
-      return system_type(m, l, cell(p, m), integrator, options);
+      return system_type(m, l, cell(p, m), integrator, p.numerics);
     } else {
-      return system_type(m, cell(p, m), integrator, options);
+      return system_type(m, cell(p, m), integrator, p.numerics);
     }
   }
 

@@ -34,7 +34,7 @@ struct packing_parameters {
   double sealing = 0.2;     // s; 0: no lid
   double time_step = 4e-6;  // s
   std::uint64_t seed = 1;
-  bool force = false;  // run even if the scene breaks a limit
+  run_options numerics{};
 
   double area() const { return std::numbers::pi * cylinder_radius * cylinder_radius; }
 };
@@ -104,7 +104,7 @@ class packing {
   using system_type = system<Material, dry, walls_type, half_step_velocity_verlet>;
 
   packing(const packing_parameters& p, const Material& grains, const smooth& walls)
-      : parameters_(checked(p)), system_(grains, enclosure(p, walls), integrator(p), run_options{.force = p.force}) {}
+      : parameters_(checked(p)), system_(grains, enclosure(p, walls), integrator(p), p.numerics) {}
 
   /// From the start, or from where a checkpoint stopped. Errors: input_error, run_error.
   sealed_packing run(const monitor& watch) {

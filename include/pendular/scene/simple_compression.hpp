@@ -21,7 +21,7 @@ namespace pendular::scene {
 struct compression_parameters {
   double area;                    // of the sample before the test, m2
   double gravity = 9.81;          // m/s2
-  double relaxation = 0.1;        // without the cylinder, s
+  double relaxation = 0.1;        // without the cylinder, s; 0: none
   double water_content = 0.02;    // w, mass of liquid over mass of grains
   double lid_speed = 1e-3;        // m/s
   double duration = 2;            // of the compression, s
@@ -29,18 +29,19 @@ struct compression_parameters {
   double mass_scaling = 1;        // of the inertia; weights stay
   double sample_interval = 1e-3;  // of the stress-strain curve, s
   bond_selection selection{};
-  bool force = false;  // run even if the scene breaks a limit
+  run_options numerics{};
 };
 
 inline void validate(const compression_parameters& p) {
   constexpr auto page = "docs/reference/scenes.md";
   expects_positive("the area of the sample (m2)", p.area, page);
-  expects_positive("the duration of the relaxation (s)", p.relaxation, page);
   expects_positive("the duration of the compression (s)", p.duration, page);
   expects_positive("the time step (s)", p.time_step, page);
   expects_positive("the mass scaling", p.mass_scaling, page);
   expects_positive("the sample interval (s)", p.sample_interval, page);
   expects_positive("the speed of the lid (m/s)", p.lid_speed, page);
+  expects(p.relaxation >= 0 && std::isfinite(p.relaxation), "the duration of the relaxation (s)", p.relaxation,
+          "at least 0 and finite", page);
   expects(p.water_content >= 0 && p.water_content < 1, "the water content w", p.water_content, "in [0, 1)", page);
 }
 
@@ -54,7 +55,7 @@ class simple_compression {
   using system_type = system<Material, Liquid, walls_type, half_step_velocity_verlet>;
 
   simple_compression(const compression_parameters& p, const Material& m, const Liquid& l)
-      : parameters_(checked(p)), system_(m, l, plates(), integrator(p), run_options{.force = p.force}) {}
+      : parameters_(checked(p)), system_(m, l, plates(), integrator(p), p.numerics) {}
 
   /// Wets the grains. Errors: input_error where the wet scene breaks a limit.
   void start(const sealed_packing& packing) {

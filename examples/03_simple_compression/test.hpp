@@ -108,6 +108,13 @@ void run(const options& o, const Material& m, const Liquid& l, const examples::r
   job(o, scene).run(watch);
 }
 
+template <class Friction, class Law, class Rupture>
+void with_usual_protocol(const options& o, const Friction& friction, const Law& law, const Rupture& rupture,
+                         const examples::restart& from, const scene::monitor& watch) {
+  run(o, examples::contact(o, friction), liquid{examples::water(o), law, rupture, examples::chosen_period(o)}, from,
+      watch);
+}
+
 /// Both kinds of protocol with one composition.
 template <class Friction, class Law, class Rupture>
 void with_laws(const options& o, const Friction& friction, const Law& law, const Rupture& rupture,

@@ -7,5 +7,6 @@
 void run_with_viscous_coulomb_explicit(const options& o, const examples::restart& from,
                                        const pendular::scene::monitor& watch) {
   using namespace pendular;
-  test::with_laws(o, examples::explicit_viscous_friction(o), capillary::richefeu{}, rupture::lian{}, from, watch);
+  test::with_usual_protocol(o, examples::explicit_viscous_friction(o), capillary::richefeu{}, rupture::lian{}, from,
+                            watch);
 }

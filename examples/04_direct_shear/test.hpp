@@ -114,6 +114,12 @@ void run(const options& o, const Friction& friction, const Liquid& l, const exam
   job(o, scene).run(watch);
 }
 
+template <class Friction, class Law, class Rupture>
+void with_usual_protocol(const options& o, const Friction& friction, const Law& law, const Rupture& rupture,
+                         const examples::restart& from, const scene::monitor& watch) {
+  run(o, friction, liquid{examples::water(o), law, rupture, protocol::grain_films{}}, from, watch);
+}
+
 /// Both kinds of protocol with one composition.
 template <class Friction, class Law, class Rupture>
 void with_laws(const options& o, const Friction& friction, const Law& law, const Rupture& rupture,

@@ -7,5 +7,6 @@
 void run_with_richefeu_harmonic(const options& o, const examples::restart& from,
                                 const pendular::scene::monitor& watch) {
   using namespace pendular;
-  test::with_laws(o, examples::spring_friction(o), capillary::richefeu_harmonic{}, rupture::lian{}, from, watch);
+  test::with_usual_protocol(o, examples::spring_friction(o), capillary::richefeu_harmonic{}, rupture::lian{}, from,
+                            watch);
 }

@@ -6,5 +6,5 @@
 
 void run_with_willett(const options& o, const examples::restart& from, const pendular::scene::monitor& watch) {
   using namespace pendular;
-  test::with_laws(o, examples::spring_friction(o), capillary::willett{}, rupture::willett{}, from, watch);
+  test::with_usual_protocol(o, examples::spring_friction(o), capillary::willett{}, rupture::willett{}, from, watch);
 }

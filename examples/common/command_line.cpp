@@ -46,7 +46,7 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_option("--protocol", o.protocol, "redistribution of liquid: P1, P0, P2, P3 of the paper, or none")
       ->check(CLI::IsMember({"homogeneous", "neighbours", "grain-films", "gravity", "none"}))
       ->capture_default_str();
-  app.add_option("--law", o.law, "capillary law; others than the paper's need --friction coulomb-spring")
+  app.add_option("--law", o.law, "capillary law; others than the paper's need the usual protocol and friction")
       ->check(CLI::IsMember({"richefeu", "richefeu-harmonic", "willett", "laplace-young"}))
       ->capture_default_str();
   app.add_option("--friction", o.friction, "friction law; the paper has viscous-coulomb")
@@ -75,10 +75,14 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_flag_callback(
       "--paper", [&o] { o.take_from_paper(); },
       "as the paper and its companion have it: Eq. 12, 1e-6 s, mass as it is");
-  app.callback([&o] {
-    if (o.law != "richefeu" && o.friction != "coulomb-spring") {
-      throw CLI::ValidationError("--law " + o.law,
-                                 "is built with --friction coulomb-spring only, not with " + o.friction);
+  app.callback([&o, usual = o.protocol] {
+    if (o.law != "richefeu" && (o.friction != "coulomb-spring" || o.protocol != usual)) {
+      throw CLI::ValidationError("--law " + o.law, "is built with --friction coulomb-spring and --protocol " + usual +
+                                                       " only, not with " + o.friction + " and " + o.protocol);
+    }
+    if (o.friction == "viscous-coulomb-explicit" && o.protocol != usual) {
+      throw CLI::ValidationError("--friction " + o.friction,
+                                 "is built with --protocol " + usual + " only, not with " + o.protocol);
     }
   });
 }

@@ -59,13 +59,16 @@ inline local_protocol chosen_protocol(const wet_options& o) {
   return local_protocol(stay_on_grains{});
 }
 
+inline pendular::protocol::homogeneous chosen_period(const wet_options& o) {
+  return {std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step))};
+}
+
 /// go(liquid) with the two laws and the protocol of the options.
 template <class Law, class Rupture, class Go>
 void with_protocol(const wet_options& o, const Law& law, const Rupture& rupture, const Go& go) {
   using pendular::liquid;
   if (o.protocol != "homogeneous") return go(liquid{water(o), law, rupture, chosen_protocol(o)});
-  const auto period = std::max<std::int64_t>(1, std::llround(5e-3 / o.time_step));
-  go(liquid{water(o), law, rupture, pendular::protocol::homogeneous{period}});
+  go(liquid{water(o), law, rupture, chosen_period(o)});
 }
 
 }  // namespace examples

@@ -8,6 +8,10 @@
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/energy.hpp>
+#include <pendular/observe/fabric.hpp>
+#include <pendular/observe/force_distribution.hpp>
+#include <pendular/observe/grain_pressures.hpp>
+#include <pendular/observe/probability_density.hpp>
 #include <pendular/observe/stress.hpp>
 #include <pendular/scene/direct_shear.hpp>
 #include <pendular/scene/simple_compression.hpp>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 using namespace pendular;
 
@@ -65,6 +66,13 @@ int main() {
   const Eigen::Matrix3d stress = observe::love_weber_stress(wet, 3e-3 * 7.85e-5);
   const double unrest = observe::unbalanced_force_ratio(wet);
   // [/observe]
+  // [network]
+  const Eigen::Matrix3d fabric = observe::fabric_tensor(wet, observe::links::bridges);
+  const observe::force_distribution forces = observe::force_distribution_of(wet);
+  const std::vector<double> edges{0, 0.5, 1, 1.5, 2, 3, 4};  // of bins, in units of the mean
+  const std::vector<double> density = observe::probability_density(forces.tensile, forces.mean_tensile, edges);
+  const std::vector<double> pressures = observe::grain_pressures(wet, 0.6);
+  // [/network]
   // [wall]
   const double push_of_lid = boundary::get<2>(wet.walls()).force.z;  // N, of the grains on the lid
   // [/wall]
@@ -73,6 +81,7 @@ int main() {
   dry.add({.position = {0, 0, 0.5e-3}, .radius = 0.5e-3, .density = 2500});
   dry.run(10);
   const bool sound = std::isfinite(e.balance()) && std::isfinite(unrest) && std::abs(centre.z - 0.5e-3) < 1e-5 &&
-                     std::abs(wet.bridges().book().total() - 16e-12) < 1e-24;
+                     std::abs(wet.bridges().book().total() - 16e-12) < 1e-24 && fabric.allFinite() &&
+                     density.size() == edges.size() - 1 && pressures.size() == 16;
   return sound ? EXIT_SUCCESS : EXIT_FAILURE;
 }

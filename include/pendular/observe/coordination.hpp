@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/observe/indices.hpp>
+#include <pendular/observe/normal_force.hpp>
 
 #include <range/v3/algorithm/count_if.hpp>
 
@@ -14,6 +15,7 @@ struct coordination {
   double contacts;      // touching
   double bridges;       // joined by liquid, touching or not
   double open_bridges;  // joined by liquid across a gap
+  double tensile;       // attracting each other by their total normal force
 };
 
 /// Of a system whose forces have been evaluated.
@@ -25,7 +27,8 @@ coordination coordination_of(const System& s) {
     return 2.0 * static_cast<double>(::ranges::count_if(indices(view.pairs), counts)) /
            static_cast<double>(s.particles().size());
   };
-  coordination z{mean([&](std::size_t p) { return gap[p] < 0; }), 0, 0};
+  coordination z{mean([&](std::size_t p) { return gap[p] < 0; }), 0, 0,
+                 mean([&](std::size_t p) { return normal_force(s, view, p) < 0; })};
   if constexpr (System::wet) {
     const auto bonded = [&](std::size_t p) { return s.bridges().is_bonded(p); };
     z.bridges = mean(bonded);

@@ -59,7 +59,8 @@ void draw_curve(const options& o, const records& lines, double mean_diameter) {
   pendular::io::draw(p, o.output / "stress_strain.png");
 }
 
-json summary(const options& o, const pendular::scene::compression_result& r, const examples::run_facts& f) {
+json summary(const options& o, const pendular::scene::compression_result& r, const examples::run_facts& f,
+             const still_grains& still) {
   const auto& last = r.records.back();
   const auto stress = smoothed_stress(r.records);
   const auto top = std::max_element(stress.begin(), stress.end());
@@ -79,6 +80,8 @@ json summary(const options& o, const pendular::scene::compression_result& r, con
            {"shortening_at_peak_m", r.records[static_cast<std::size_t>(top - stress.begin())].shortening},
            {"last_stress_Pa", stress.back()},
            {"last_shortening_m", last.shortening}}},
+         {"still_grains",
+          {{"share", still.share}, {"share_by_fifth_of_height", still.by_slice}, {"radius_by_fifth_m", still.radius}}},
          {"coordination", {{"contacts_per_grain", last.contacts}, {"bridges_per_grain", last.bridges}}}};
   put_facts(s, f);
   return s;
@@ -99,10 +102,11 @@ void print(const json& s) {
 
 }  // namespace
 
-void report(const options& o, const pendular::scene::compression_result& result, const examples::run_facts& facts) {
+void report(const options& o, const pendular::scene::compression_result& result, const examples::run_facts& facts,
+            const still_grains& still) {
   write_curve(o, result.records);
   if (o.pictures) draw_curve(o, result.records, facts.mean_diameter);
-  const json s = summary(o, result, facts);
+  const json s = summary(o, result, facts, still);
   write_summary(o, s);
   print(s);
   print_facts(facts);

@@ -53,9 +53,9 @@ class job {
   void run(const scene::monitor& watch) {
     scene_.run(watch);
     const auto& result = scene_.result();
-    report(options_, result, facts());
-    draw_sample(options_, examples::take(scene_.sample(), result.reference, result.records.back().time),
-                boundary::get<1>(scene_.sample().walls()).shape.point.z);
+    const auto last = examples::take(scene_.sample(), result.reference, result.records.back().time);
+    report(options_, result, facts(), still_grains_of(last, result.records.back().shortening));
+    draw_sample(options_, last, boundary::get<1>(scene_.sample().walls()).shape.point.z);
   }
 
  private:

@@ -5,6 +5,8 @@
 #include "misfit.hpp"
 #include "page.hpp"
 
+#include "../common/markdown.hpp"
+
 #include <pendular/io/atomic_file.hpp>
 
 #include <CLI/CLI.hpp>
@@ -62,7 +64,7 @@ void write_summary(const std::filesystem::path& file, const std::vector<misfit::
 
 /// Whether the errors on the page are those of the laws as they are now; times are not compared.
 int check(const std::filesystem::path& file, const std::string& errors) {
-  if (page::between(file, "errors") == errors) return EXIT_SUCCESS;
+  if (examples::markdown::between(file, "errors") == errors) return EXIT_SUCCESS;
   std::fprintf(stderr,
                "the errors on '%s' are not those of the laws as they are now; run 05_error_against_run_time --page "
                "with that file. They should be:\n%s",
@@ -84,8 +86,8 @@ void study(const std::filesystem::path& folder, const std::string& page_file) {
   figures::pareto(laws, times, folder);
   figures::paper(folder);
   if (page_file.empty()) return;
-  page::replace(page_file, "errors", errors);
-  page::replace(page_file, "times", cost);
+  examples::markdown::replace(page_file, "errors", errors);
+  examples::markdown::replace(page_file, "times", cost);
 }
 
 }  // namespace

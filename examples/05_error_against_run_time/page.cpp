@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page.hpp"
 
-#include <pendular/io/atomic_file.hpp>
-
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-#include <utility>
 
 namespace page {
 namespace {
@@ -31,23 +25,6 @@ std::string row(const std::string& law, const std::vector<std::string>& cells) {
   std::string line = "| `" + law + "` |";
   for (const std::string& cell : cells) line += " " + cell + " |";
   return line + "\n";
-}
-
-std::string read(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("'" + file.string() + "' cannot be read");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Where the text between the markers begins and ends.
-std::pair<std::size_t, std::size_t> place(const std::filesystem::path& file, const std::string& all,
-                                          const std::string& name) {
-  const std::string first = "<!-- " + name + " -->\n", last = "<!-- end of " + name + " -->";
-  const std::size_t begin = all.find(first), end = all.find(last);
-  if (begin == std::string::npos || end == std::string::npos) {
-    throw std::runtime_error("'" + file.string() + "' has no markers for " + name);
-  }
-  return {begin + first.size(), end};
 }
 
 }  // namespace
@@ -76,21 +53,6 @@ std::string times(const std::vector<cost::of_law>& laws) {
                         nanoseconds(l.in_float_lanes), nanoseconds(l.preparation), nanoseconds(l.in_lanes / unit)});
   }
   return text;
-}
-
-void replace(const std::filesystem::path& file, const std::string& name, const std::string& text) {
-  std::string all = read(file);
-  const auto [begin, end] = place(file, all, name);
-  all.replace(begin, end - begin, text);
-  pendular::io::atomic_file out(file);
-  out.write(all);
-  out.commit();
-}
-
-std::string between(const std::filesystem::path& file, const std::string& name) {
-  const std::string all = read(file);
-  const auto [begin, end] = place(file, all, name);
-  return all.substr(begin, end - begin);
 }
 
 }  // namespace page

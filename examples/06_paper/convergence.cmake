@@ -103,3 +103,4 @@ foreach(viscosity 0.3 1 3 10)
 endforeach()
 
 add_custom_target(convergence_jobs DEPENDS ${results})
+pendular_collected(convergence convergence "${folder}")

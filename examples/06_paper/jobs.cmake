@@ -25,3 +25,9 @@ function(pendular_packing folder program)
     COMMAND ${program} "${folder}" --threads 1 --continue --packing-only ${ARGN}
     COMMENT "${folder}" VERBATIM)
 endfunction()
+
+# pendular_collected(<target> <what> <folder>): the jobs' figures and tables.
+function(pendular_collected target what folder)
+  add_custom_target(${target} COMMAND 06_paper ${what} "${folder}" USES_TERMINAL VERBATIM)
+  add_dependencies(${target} ${what}_jobs)
+endfunction()

@@ -40,6 +40,7 @@ void describe(CLI::App& app, job_options& o) {
 }
 
 void describe(CLI::App& app, wet_options& o) {
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.add_option("--water-content", o.water_content, "w, mass of water over mass of grains")
       ->check(CLI::Range(0.0, 0.5))
       ->capture_default_str();

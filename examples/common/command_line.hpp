@@ -14,6 +14,7 @@ namespace examples {
 extern const CLI::Validator positive;
 
 void describe(CLI::App& app, job_options& o);
+/// To be called first: of an option given twice the later one counts from here on.
 void describe(CLI::App& app, wet_options& o);
 
 /// Errors: prints one sentence and ends the program with a code that is not 0.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts.hpp"
 
+#include <pendular/io/atomic_file.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 
 namespace examples {
 
@@ -70,9 +70,9 @@ void print_facts(const run_facts& f) {
 }
 
 void write_summary(const job_options& o, const json& summary) {
-  std::ofstream file(o.output / "summary.json");
-  file << summary.dump(2) << '\n';
-  if (!file.flush()) throw std::runtime_error("summary.json cannot be written in " + o.output.string());
+  pendular::io::atomic_file file(o.output / "summary.json");  // where it is, the job has come to its end
+  file.write(summary.dump(2) + '\n');
+  file.commit();
 }
 
 }  // namespace examples

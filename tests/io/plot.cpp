@@ -53,12 +53,19 @@ TEST_CASE("a plot becomes a PNG and an SVG that show texts as they are", "[io][p
   CHECK(png.size() > 10'000);
   CHECK(png.substr(16, 8) == std::string{"\0\0\x04\xB0\0\0\x03\x20", 8});  // 1200 x 800
 
+  p.curves[1].error.assign(20, 0.5);
+  REQUIRE(io::draw(p, folder / "bars.png"));
+  CHECK(scratch::content(folder / "bars.png").size() > png.size());
+  p.curves[1].error.pop_back();
+  CHECK_THROWS_AS(io::draw(p, folder / "bars.png"), std::invalid_argument);
+  p.curves[1].error.clear();
+
   p.x_range = {{0.5, 30}};
   p.logarithmic_x = true;
   REQUIRE(io::draw(p, folder / "p.svg"));
   CHECK(scratch::mentions(scratch::content(folder / "p.svg"),
                           {"<svg", "shear_stress of 'wet' sand {x}^2", "grain_films $curve0 @x", "d_x (mm)"}));
-  CHECK(folder.files() == 2);
+  CHECK(folder.files() == 3);
 }
 
 TEST_CASE("a plot that cannot be drawn keeps its data", "[io][plot]") {

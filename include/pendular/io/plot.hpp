@@ -27,6 +27,7 @@ struct curve {
   std::vector<double> y;  // a value that is not finite leaves a gap
   curve_style style = curve_style::lines;
   std::optional<std::size_t> colour = {};  // place in the palette, for curves that belong together; else its own
+  std::vector<double> error = {};          // half the height of a bar at each point; empty: no bars
 };
 
 /// Texts are UTF-8 and shown as they are: no character is markup.
@@ -59,11 +60,17 @@ inline bool drawable(const curve& c) {
   return false;
 }
 
+/// x, y and half the height of the bar, if there are bars.
+inline std::string gnuplot_point(const curve& c, std::size_t i) {
+  const bool there = std::isfinite(c.x[i]) && std::isfinite(c.y[i]);
+  std::string line = there ? shortest(c.x[i]) + " " + shortest(c.y[i]) : std::string{"NaN NaN"};
+  if (!c.error.empty()) line += " " + shortest(std::isfinite(c.error[i]) ? c.error[i] : 0);
+  return line + "\n";
+}
+
 inline std::string gnuplot_data(const curve& c, std::size_t number) {
   std::string block = "$curve" + std::to_string(number) + " << end_of_curve\n";
-  for (std::size_t i = 0; i < c.x.size(); ++i)
-    block += std::isfinite(c.x[i]) && std::isfinite(c.y[i]) ? shortest(c.x[i]) + " " + shortest(c.y[i]) + "\n"
-                                                            : std::string{"NaN NaN\n"};
+  for (std::size_t i = 0; i < c.x.size(); ++i) block += gnuplot_point(c, i);
   return block + "end_of_curve\n";
 }
 
@@ -82,6 +89,11 @@ inline std::string gnuplot_style(const curve& c, std::size_t number) {
   default:
     return "with lines linewidth 2.5" + colour;
   }
+}
+
+inline std::string gnuplot_bars(const curve& c, std::size_t number) {
+  return std::string{"with yerrorbars linewidth 2 pointsize 0 linecolor rgb '"} +
+         palette[c.colour.value_or(number) % palette.size()] + "' notitle";
 }
 
 inline std::string gnuplot_axis(const std::string& axis, const std::string& label, bool logarithmic,
@@ -108,23 +120,32 @@ inline std::string gnuplot_commands(const plot& p, bool svg, const std::filesyst
     const curve& c = p.curves[i];
     if (!drawable(c)) continue;
     text += gnuplot_data(c, i);
-    drawing += (drawing.empty() ? "plot $curve" : ", $curve") + std::to_string(i) + " using 1:2 " +
-               gnuplot_style(c, i) + (c.label.empty() ? " notitle" : " title " + gnuplot_quoted(c.label));
+    const std::string data = "$curve" + std::to_string(i);
+    if (!c.error.empty()) drawing += (drawing.empty() ? "plot " : ", ") + data + " using 1:2:3 " + gnuplot_bars(c, i);
+    drawing += (drawing.empty() ? "plot " : ", ") + data + " using 1:2 " + gnuplot_style(c, i) +
+               (c.label.empty() ? " notitle" : " title " + gnuplot_quoted(c.label));
   }
   return drawing.empty() ? drawing : text + drawing + "\n";
+}
+
+inline void expect_equal_lengths(const curve& c) {
+  const auto expect = [&](std::size_t count, const char* what) {
+    if (count != c.x.size())
+      throw std::invalid_argument("pendular: curve '" + c.label + "' has " + std::to_string(c.x.size()) + " x and " +
+                                  std::to_string(count) + what + "; it needs as many of both");
+  };
+  expect(c.y.size(), " y values");
+  if (!c.error.empty()) expect(c.error.size(), " error bars");
 }
 
 }  // namespace detail
 
 /// Draws `p` by gnuplot as 1200 x 800 pixels: SVG when `path` ends in .svg, else PNG. When gnuplot is missing or
 /// fails, leaves the commands with all data in `path`.gp, says so in one line on standard error and returns false.
-/// Throws std::invalid_argument when x and y of a curve differ in length, std::runtime_error when `path` is
+/// Throws std::invalid_argument when x, y or bars of a curve differ in length, std::runtime_error when `path` is
 /// unwritable.
 inline bool draw(const plot& p, const std::filesystem::path& path) {
-  for (const curve& c : p.curves)
-    if (c.x.size() != c.y.size())
-      throw std::invalid_argument("pendular: curve '" + c.label + "' has " + std::to_string(c.x.size()) + " x and " +
-                                  std::to_string(c.y.size()) + " y values; it needs as many of both");
+  for (const curve& c : p.curves) detail::expect_equal_lengths(c);
   const auto target = std::filesystem::absolute(path);
   auto script = target;
   script += ".gp";

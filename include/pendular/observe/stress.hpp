@@ -16,7 +16,7 @@ namespace pendular::observe {
 
 /// Love-Weber stress, Pa, compression positive: (1/V) sum of force times branch over all pairs, bridges across a gap
 /// included. Static part only. Valid for a volume, m3, that holds all grains.
-/// Source: A. E. H. Love, Treatise on the Mathematical Theory of Elasticity (1927), p. 618; Richefeu et al. 2006, Eq. 9.
+/// Source: A. E. H. Love, Treatise on the Mathematical Theory of Elasticity (1927), p. 618; Richefeu et al. 2006, section 5.
 template <class System>
 Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
   const auto view = s.view();

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The tests of the paper: <group>/<case>/seed<k>, three seeds each.
+
+set(folder "${PROJECT_BINARY_DIR}/paper")
+set(results)
+# Settings whose error is stated in docs/explanation/convergence.md.
+set(shear_usual --time-step 8e-6 --mass-scaling 4 --displacement 4e-3 --residual-from 1)
+set(compression_usual --time-step 8e-6 --mass-scaling 4 --duration 0.8)
+set(quiet --no-pictures --snapshots 0)
+set(own_friction --friction viscous-coulomb --time-step 1e-6 --mass-scaling 1)
+
+# campaign(<test> <group> <case> <options>...): a later option overrules an earlier one.
+macro(campaign test group case)
+  foreach(seed 1 2 3)
+    pendular_job(results "${folder}/${group}/${case}/seed${seed}" ${${test}} --seed ${seed}
+                 PACKING "${folder}/packings/${test}/seed${seed}" ${${test}_usual} ${ARGN})
+  endforeach()
+endmacro()
+
+foreach(seed 1 2 3)
+  foreach(test shear compression)
+    pendular_packing("${folder}/packings/${test}/seed${seed}" ${${test}} --seed ${seed})
+  endforeach()
+endforeach()
+
+# Figs. 5, 6
+foreach(water 0 0.0005 0.002 0.01 0.02)
+  foreach(stress 300 550 800)
+    campaign(shear yield_loci w${water}_s${stress} --water-content ${water} --normal-stress ${stress} ${quiet})
+  endforeach()
+endforeach()
+# Fig. 7, and the cohesion over the number of bonds
+foreach(thinning 2 4)
+  foreach(stress 300 800)
+    campaign(shear thinned t${thinning}_s${stress} --normal-stress ${stress} --thinning ${thinning} ${quiet})
+  endforeach()
+endforeach()
+# Figs. 10, 11
+foreach(water 0.02 0.04 0.06)
+  campaign(compression axial_stress w${water} --water-content ${water} --duration 2 --snapshots 0)
+endforeach()
+# Fig. 12
+foreach(water 0.02 0.04 0.06)
+  foreach(protocol grain-films gravity)
+    campaign(compression protocols ${protocol}_w${water} --water-content ${water} --protocol ${protocol}
+             ${quiet})
+  endforeach()
+endforeach()
+foreach(water 0.02 0.04)
+  campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 ${quiet})
+endforeach()
+campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
+# Eq. 12 at the paper's step
+campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_friction} --displacement 2.5e-3 ${quiet})
+foreach(stress 300 800)
+  campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} --displacement 2.5e-3
+           ${quiet})
+endforeach()
+foreach(water 0.02 0.04 0.06)
+  campaign(compression own_friction compression_w${water} --water-content ${water} ${own_friction} --duration 0.5
+           ${quiet})
+endforeach()
+# Cohesion over grain size, in samples of 2000: stiffness and step go with the size
+foreach(scale_stiffness_step 0.5:1250:4e-6 1:2500:8e-6 2:5000:1.6e-5)
+  string(REPLACE ":" ";" parts ${scale_stiffness_step})
+  list(GET parts 0 scale)
+  list(GET parts 1 stiffness)
+  list(GET parts 2 step)
+  foreach(water 0 0.01)
+    foreach(stress 300 800)
+      foreach(seed 1 2 3)
+        pendular_job(results "${folder}/grain_size/x${scale}_w${water}_s${stress}/seed${seed}" ${shear} --seed ${seed}
+                     ${shear_usual} ${quiet} --grains 2000 --scale ${scale} --stiffness ${stiffness} --time-step ${step}
+                     --water-content ${water} --normal-stress ${stress})
+      endforeach()
+    endforeach()
+  endforeach()
+endforeach()
+
+add_custom_target(paper_jobs DEPENDS ${results})
+pendular_collected(paper paper "${folder}")

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convergence.hpp"
+
+#include "../common/markdown.hpp"
+#include "run.hpp"
+
+#include <pendular/io/plot.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace paper::convergence {
+
+namespace {
+
+using examples::markdown::number;
+
+enum class finest { smallest, largest, last_law };
+
+/// What is varied: an option of the jobs.
+struct series {
+  const char* name;
+  const char* title;
+  const char* option;
+  finest best;
+  bool with_reference;
+};
+
+constexpr std::array all_series{
+    series{"time_step", "time step (s)", "time-step", finest::smallest, true},
+    series{"mass_scaling", "mass scaling", "mass-scaling", finest::smallest, true},
+    series{"shear_speed", "speed (m/s)", "shear-speed", finest::smallest, true},
+    series{"wall_speed", "speed (m/s)", "wall-speed", finest::smallest, true},
+    series{"stiffness", "k_n (N/m)", "stiffness", finest::largest, false},
+    series{"grains", "grains", "grains", finest::largest, true},
+    series{"skin", "list skin over smallest radius", "skin", finest::largest, false},
+    series{"law", "capillary law", "law", finest::last_law, true},
+    series{"viscous_time_step", "time step with Eq. 12 (s)", "time-step", finest::smallest, false}};
+
+double stress_of(const run& r, const std::string& test) {
+  return test == "shear" ? r.number("strength", "residual_shear_stress_Pa") : r.number("strength", "peak_stress_Pa");
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double time_of(const seeds& s) {
+  return median(each(s, [](const run& r) { return r.number("cost", "test_time_s"); }));
+}
+
+/// By run of the same seed, over the mean of the best.
+measured change_from(const seeds& best, const seeds& s, const std::string& test) {
+  std::vector<double> differences;
+  for (const run& r : s) {
+    for (const run& b : best) {
+      if (r.option("seed") == b.option("seed")) differences.push_back(stress_of(r, test) - stress_of(b, test));
+    }
+  }
+  const double whole = mean_of(each(best, [&](const run& r) { return stress_of(r, test); })).mean;
+  const measured found = mean_of(differences);
+  return {found.mean / whole, found.error / whole};
+}
+
+point point_of(const series& kind, const seeds& s, const seeds& best, const std::string& test) {
+  point p;
+  p.value = s.front().option(kind.option);
+  p.stress = mean_of(each(s, [&](const run& r) { return stress_of(r, test); }));
+  p.change = change_from(best, s, test);
+  p.time = time_of(s);
+  p.worst_book = 0;
+  for (const run& r : s) p.worst_book = std::max(p.worst_book, std::abs(r.number("energy", "relative_imbalance")));
+  return p;
+}
+
+bool finer(const series& kind, const seeds& a, const seeds& b) {
+  const auto value = [&](const seeds& s) { return s.front().numeric_option(kind.option); };
+  switch (kind.best) {
+  case finest::smallest:
+    return value(a) < value(b);
+  case finest::largest:
+    return value(a) > value(b);
+  default:
+    return a.front().option(kind.option) == "laplace-young" && b.front().option(kind.option) != "laplace-young";
+  }
+}
+
+study study_of(const series& kind, const std::filesystem::path& folder, const seeds& reference,
+               const std::string& test) {
+  study found{test, kind.name, kind.title, {}};
+  std::vector<seeds> settings;
+  for (auto& [name, s] : cases(folder / kind.name)) settings.push_back(s);
+  if (settings.empty()) return found;
+  if (kind.with_reference) settings.push_back(reference);
+  std::stable_sort(settings.begin(), settings.end(), [&](const seeds& a, const seeds& b) { return finer(kind, a, b); });
+  for (const seeds& s : settings) {
+    found.points.push_back(point_of(kind, s, settings.front(), test));
+    found.points.back().time /= time_of(reference);
+  }
+  return found;
+}
+
+/// Tidy values for a reader: 4e-06 and 0.0025 as they are meant.
+std::string tidy(const std::string& value) {
+  try {
+    std::size_t used = 0;
+    const double x = std::stod(value, &used);
+    if (used == value.size()) return number("%g", x);
+  } catch (const std::exception&) {  // a name
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<study> read(const std::filesystem::path& folder) {
+  std::vector<study> found;
+  for (const std::string test : {"shear", "compression"}) {
+    const seeds reference = runs_of(folder / test / "reference" / "reference");
+    for (const series& kind : all_series) {
+      study s = study_of(kind, folder / test, reference, test);
+      if (!s.points.empty()) found.push_back(std::move(s));
+    }
+  }
+  return found;
+}
+
+std::string table_of(const std::vector<study>& studies, const std::string& test) {
+  examples::markdown::table text({"setting", "value", test == "shear" ? "residual stress (Pa)" : "peak stress (Pa)",
+                                  "change from the finest (%)", "run time over the reference's", "energy book"});
+  for (const study& s : studies) {
+    if (s.test != test) continue;
+    for (const point& p : s.points) {
+      const bool best = &p == &s.points.front();
+      text.add({best ? s.title : "", tidy(p.value), number("%.1f", p.stress.mean, p.stress.error),
+                best ? "finest" : number("%+.1f", 100 * p.change.mean) + number(" ± %.1f", 100 * p.change.error),
+                number("%.2f", p.time), number("%.0e", p.worst_book)});
+    }
+  }
+  return text.text();
+}
+
+void draw(const std::vector<study>& studies, const std::string& test, const std::filesystem::path& file) {
+  pendular::io::plot p;
+  p.title = test == "shear" ? "Direct shear: error of the residual stress against run time"
+                            : "Simple compression: error of the peak stress against run time";
+  p.x_label = "run time over that of the reference";
+  p.y_label = "change from the finest setting (%)";
+  p.logarithmic_x = true;
+  for (const study& s : studies) {
+    if (s.test != test || s.points.size() < 2) continue;
+    pendular::io::curve c{s.title, {}, {}, pendular::io::curve_style::linespoints, {}, {}};
+    for (const point& q : s.points) {
+      c.x.push_back(q.time), c.y.push_back(100 * q.change.mean), c.error.push_back(100 * q.change.error);
+    }
+    p.curves.push_back(c);
+  }
+  pendular::io::draw(p, file);
+}
+
+std::vector<rate_point> read_rates(const std::filesystem::path& folder) {
+  std::vector<rate_point> found;
+  for (const auto& [name, s] : cases(folder / "compression" / "viscosity_and_speed")) {
+    found.push_back({s.front().numeric_option("tangential-viscosity"), s.front().numeric_option("wall-speed"),
+                     mean_of(each(s, [](const run& r) { return stress_of(r, "compression"); }))});
+  }
+  std::sort(found.begin(), found.end(), [](const rate_point& a, const rate_point& b) {
+    return std::pair(a.viscosity, a.speed) < std::pair(b.viscosity, b.speed);
+  });
+  return found;
+}
+
+std::string table_of(const std::vector<rate_point>& rates) {
+  examples::markdown::table text({"γ_t (N s/m)", "speed (mm/s)", "γ_t times speed (mN)", "largest stress (Pa)"});
+  for (const rate_point& r : rates) {
+    text.add({number("%g", r.viscosity), number("%g", 1e3 * r.speed), number("%.3g", 1e3 * r.viscosity * r.speed),
+              number("%.0f", r.stress.mean, r.stress.error)});
+  }
+  return text.text();
+}
+
+void draw(const std::vector<rate_point>& rates, const std::filesystem::path& file) {
+  pendular::io::plot p;
+  p.title = "Simple compression with the friction of Eq. 12";
+  p.x_label = "γ_t times wall speed (mN)";
+  p.y_label = "largest axial stress (Pa)";
+  p.logarithmic_x = true;
+  for (const rate_point& r : rates) {
+    const std::string label = "γ_t = " + number("%g", r.viscosity) + " N s/m";
+    if (p.curves.empty() || p.curves.back().label != label) {
+      p.curves.push_back({label, {}, {}, pendular::io::curve_style::linespoints, {}, {}});
+    }
+    auto& c = p.curves.back();
+    c.x.push_back(1e3 * r.viscosity * r.speed), c.y.push_back(r.stress.mean), c.error.push_back(r.stress.error);
+  }
+  pendular::io::draw(p, file);
+}
+
+}  // namespace paper::convergence

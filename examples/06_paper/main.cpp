@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The figures and tables of the paper's tests and of the convergence study, from the folders their jobs have left.
+#include "compression.hpp"
+#include "convergence.hpp"
+#include "shear.hpp"
+
+#include "../common/markdown.hpp"
+
+#include <pendular/io/atomic_file.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using tables = std::map<std::string, std::string>;  // by the marker in the page
+
+tables of_paper(const fs::path& folder, const fs::path& figures) {
+  namespace shear = paper::shear;
+  namespace compression = paper::compression;
+  const std::map<std::string, std::function<std::string()>> parts{
+      {"fig. 5", [&] { return shear::stress_curves(folder, figures); }},
+      {"fig. 6", [&] { return shear::yield_loci(folder, figures); }},
+      {"fig. 7", [&] { return shear::bonds(folder, figures); }},
+      {"grain size", [&] { return shear::grain_size(folder); }},
+      {"own friction", [&] { return shear::own_friction(folder, figures); }},
+      {"fig. 10", [&] { return compression::stress_curves(folder, figures); }},
+      {"fig. 11", [&] { return compression::still_zone(folder, figures); }},
+      {"fig. 12", [&] { return compression::strengths(folder, figures); }},
+      {"relaxation", [&] { return compression::relaxation(folder); }}};
+  tables found;
+  for (const auto& [name, part] : parts) {
+    try {
+      found[name] = part();
+    } catch (const std::exception& error) {
+      std::cerr << "06_paper: " << name << " is left out: " << error.what() << '\n';
+    }
+  }
+  return found;
+}
+
+tables of_convergence(const fs::path& folder, const fs::path& figures) {
+  namespace convergence = paper::convergence;
+  tables found;
+  const auto studies = convergence::read(folder);
+  for (const std::string test : {"shear", "compression"}) {
+    found[test] = convergence::table_of(studies, test);
+    convergence::draw(studies, test, figures / ("convergence_" + test + ".png"));
+  }
+  const auto rates = convergence::read_rates(folder);
+  found["rates"] = convergence::table_of(rates);
+  convergence::draw(rates, figures / "rates.png");
+  return found;
+}
+
+void put(const tables& found, const fs::path& folder, const fs::path& page) {
+  std::string all;
+  for (const auto& [name, text] : found) {
+    all += "## " + name + "\n\n" + text + "\n";
+    if (!page.empty()) examples::markdown::replace(page, name, text);
+  }
+  pendular::io::atomic_file file(folder / "tables.md");
+  file.write(all);
+  file.commit();
+  std::cout << all << "Figures and tables.md are in " << folder.string() << '\n';
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  CLI::App app("Figures and tables from the jobs of the targets paper_jobs and convergence_jobs.");
+  std::string what;
+  fs::path folder, page;
+  app.add_option("what", what)->required()->check(CLI::IsMember({"paper", "convergence"}));
+  app.add_option("folder", folder, "of the jobs")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--page", page, "with markers, to put the tables into")->check(CLI::ExistingFile);
+  CLI11_PARSE(app, count, arguments);
+  try {
+    const fs::path figures = folder / "figures";
+    fs::create_directories(figures);
+    put(what == "paper" ? of_paper(folder, figures) : of_convergence(folder, figures), folder, page);
+  } catch (const std::exception& error) {
+    std::cerr << "06_paper: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

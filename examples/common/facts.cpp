@@ -41,6 +41,13 @@ void put_facts(json& s, const run_facts& f) {
                  {"formations", f.formations},
                  {"bridges_made_outside_of_capillary_law", f.outside_capillary_law},
                  {"bridges_made_outside_of_rupture_law", f.outside_rupture_law}};
+  s["network_at_end"] = {{"contacts_per_grain", f.network.neighbours.contacts},
+                         {"bridges_per_grain", f.network.neighbours.bridges},
+                         {"bridges_across_gaps_per_grain", f.network.neighbours.open_bridges},
+                         {"tensile_per_grain", f.network.neighbours.tensile},
+                         {"fabric_xx_yy_zz", f.network.fabric},
+                         {"mean_compressive_force_N", f.network.mean_compressive},
+                         {"mean_tensile_force_N", f.network.mean_tensile}};
   s["energy"] = {{"at_start", energy_entries(f.energy_at_start)},
                  {"at_end", energy_entries(f.energy_at_end)},
                  {"imbalance_J", f.imbalance},

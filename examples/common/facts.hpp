@@ -5,16 +5,37 @@
 
 #include <pendular/io/number.hpp>
 #include <pendular/motion/scene_check.hpp>
+#include <pendular/observe/coordination.hpp>
 #include <pendular/observe/energy.hpp>
+#include <pendular/observe/fabric.hpp>
+#include <pendular/observe/force_distribution.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace examples {
+
+/// Pairs and their forces at the end of a test.
+struct network_facts {
+  pendular::observe::coordination neighbours;
+  std::array<double, 3> fabric{};                 // xx, yy, zz of the contacts
+  double mean_compressive = 0, mean_tensile = 0;  // forces, N
+};
+
+template <class System>
+network_facts network_of(const System& s) {
+  const auto forces = pendular::observe::force_distribution_of(s);
+  const auto fabric = pendular::observe::fabric_tensor(s);
+  return {pendular::observe::coordination_of(s),
+          {fabric(0, 0), fabric(1, 1), fabric(2, 2)},
+          forces.mean_compressive,
+          forces.mean_tensile};
+}
 
 /// What the report of a test needs besides its result.
 struct run_facts {
@@ -32,6 +53,7 @@ struct run_facts {
   double imbalance = 0, turnover = 0;                               // of the energy book in the test, J
   std::vector<std::string> limits;                                  // of stability, as checked
   std::vector<std::string> departures;                              // from the paper
+  network_facts network;                                            // at the end
   pendular::observe::energies energy_at_start, energy_at_end;
 };
 
@@ -56,6 +78,7 @@ run_facts facts_of(const System& s) {
     f.limits.push_back(l.what + " " + pendular::detail::number(l.value) + ", bound " +
                        pendular::detail::number(l.bound) + (l.holds() ? "" : " BROKEN"));
   }
+  f.network = network_of(s);
   f.energy_at_end = pendular::observe::energies_of(s);
   return f;
 }

@@ -11,7 +11,8 @@ namespace pendular {
 
 /// Velocity Verlet whose dissipative forces see the velocity extrapolated to the same time as the positions,
 /// v + a dt. Second order in dashpots too, and free of the unphysical sticking that half-step velocities cause between
-/// grains of very different size (Vyas et al. 2025); the stable step under strong damping is about half as long.
+/// grains of very different size (Vyas et al. 2025); the stable step under strong damping is about half as long, and
+/// friction springs get a dashpot k_t dt / 2 beside them (docs/explanation/integrators.md).
 /// Source: Allen and Tildesley, Computer Simulation of Liquids (1987), section 3.2.
 struct velocity_verlet {
   static constexpr double velocity_lag =

@@ -63,7 +63,7 @@ class job {
 
   template <class System>
   void look(const System& s, const scene::compression_result& r) {
-    if (r.records.empty()) test_began_ = examples::seconds();
+    if (r.records.empty()) test_began_ = examples::seconds(), test_work_began_ = examples::processor_seconds();
     const double time = r.records.empty() ? 0 : r.records.back().time;
     if (options_.snapshots == 0 || time < shots_ * shot_interval() - 1e-9) return;
     write_snapshot(options_, examples::take(s, r.reference, time), shots_++);
@@ -74,6 +74,7 @@ class job {
     examples::run_facts f = examples::facts_of(scene_.sample());
     f.wall_time = examples::seconds() - began_;
     f.test_time = examples::seconds() - test_began_;
+    f.test_processor_time = examples::processor_seconds() - test_work_began_;
     const double interval = std::max(1.0, std::round(parameters(options_).sample_interval / options_.time_step));
     f.test_steps = std::llround(static_cast<double>(r.records.size() - lines_before_) * interval);
     f.mean_diameter = scene::mean_diameter(scene::compression_grading());
@@ -89,7 +90,7 @@ class job {
   Scene& scene_;
   int shots_ = 0;
   std::size_t lines_before_ = 0;
-  double began_ = examples::seconds(), test_began_ = examples::seconds();
+  double began_ = examples::seconds(), test_began_ = began_, test_work_began_ = examples::processor_seconds();
 };
 
 /// Runs one composition from wherever it is to the end.

@@ -59,7 +59,7 @@ class job {
 
   template <class System>
   void look(const System& s, const scene::shear_result& r) {
-    if (r.records.empty()) test_began_ = examples::seconds();
+    if (r.records.empty()) test_began_ = examples::seconds(), test_work_began_ = examples::processor_seconds();
     const double way = r.records.empty() ? 0 : r.records.back().displacement;
     if (options_.snapshots == 0 || way < shots_ * shot_interval() - 1e-9) return;
     write_snapshot(options_, examples::take(s, r.reference, way / options_.shear_speed), shots_++);
@@ -70,6 +70,7 @@ class job {
     examples::run_facts f = examples::facts_of(scene_.sample());
     f.wall_time = examples::seconds() - began_;
     f.test_time = examples::seconds() - test_began_;
+    f.test_processor_time = examples::processor_seconds() - test_work_began_;
     const double each = parameters(options_).sample_interval / options_.shear_speed;
     f.test_steps = std::llround(static_cast<double>(r.records.size() - lines_before_) *
                                 std::max(1.0, std::round(each / options_.time_step)));
@@ -86,7 +87,7 @@ class job {
   Scene& scene_;
   int shots_ = 0;
   std::size_t lines_before_ = 0;
-  double began_ = examples::seconds(), test_began_ = examples::seconds();
+  double began_ = examples::seconds(), test_began_ = began_, test_work_began_ = examples::processor_seconds();
 };
 
 template <class Friction>

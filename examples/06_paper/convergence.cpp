@@ -47,8 +47,14 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// Processor time of the test; a job that was stopped and went on has measured a part of its steps only.
 double time_of(const seeds& s) {
-  return median(each(s, [](const run& r) { return r.number("cost", "test_time_s"); }));
+  return median(each(s, [](const run& r) {
+    const bool shear = r.has_option("shear-speed");
+    const double duration =
+        shear ? r.numeric_option("displacement") / r.numeric_option("shear-speed") : r.numeric_option("duration");
+    return r.number("cost", "processor_s_per_step") * duration / r.numeric_option("time-step");
+  }));
 }
 
 /// By run of the same seed, over the mean of the best.

@@ -15,7 +15,7 @@ struct point {
   std::string value;
   measured stress;    // Pa
   measured change;    // from the finest setting, of the stress of the finest
-  double time;        // of the test, median, over that of the reference
+  double time;        // of the processor in the test, median, over that of the reference
   double worst_book;  // energy imbalance over turnover
 };
 

@@ -48,8 +48,14 @@ double run::number(const std::string& part, const std::string& name, std::size_t
   return as_number(entry(part, name).at(place));
 }
 
+std::string run::all_options() const { return " " + summary_.at("options").get<std::string>() + " "; }
+
+bool run::has_option(const std::string& name) const {
+  return all_options().find(" " + name + " ") != std::string::npos;
+}
+
 std::string run::option(const std::string& name) const {
-  const std::string all = " " + summary_.at("options").get<std::string>() + " ", key = " " + name + " ";
+  const std::string all = all_options(), key = " " + name + " ";
   const auto place = all.find(key);
   if (place == std::string::npos) throw std::runtime_error("no option " + name + " in " + folder_.string());
   const auto begin = place + key.size();

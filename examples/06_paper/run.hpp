@@ -23,12 +23,14 @@ class run {
   double number(const std::string& part, const std::string& name) const;
   /// Of an entry that is a list.
   double number(const std::string& part, const std::string& name, std::size_t place) const;
+  bool has_option(const std::string& name) const;
   /// An option as it was given on the command line or by default.
   std::string option(const std::string& name) const;
   double numeric_option(const std::string& name) const;
   pendular::io::table curve() const;
 
  private:
+  std::string all_options() const;  // between blanks
   const nlohmann::json& entry(const std::string& part, const std::string& name) const;
 
   std::filesystem::path folder_;

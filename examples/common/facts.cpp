@@ -31,6 +31,10 @@ double ns_per_grain_and_step(const run_facts& f) {
   return f.test_steps > 0 ? 1e9 * f.test_time / static_cast<double>(f.test_steps) / f.grains : 0;
 }
 
+double processor_seconds_per_step(const run_facts& f) {
+  return f.test_steps > 0 ? f.test_processor_time / static_cast<double>(f.test_steps) : 0;
+}
+
 }  // namespace
 
 void put_facts(json& s, const run_facts& f) {
@@ -57,6 +61,7 @@ void put_facts(json& s, const run_facts& f) {
                {"wall_time_s", f.wall_time},
                {"test_time_s", f.test_time},
                {"test_steps", f.test_steps},
+               {"processor_s_per_step", processor_seconds_per_step(f)},
                {"ns_per_grain_and_step", ns_per_grain_and_step(f)}};
   s["limits"] = f.limits;
   s["departures_from_the_paper"] = f.departures;

@@ -41,6 +41,7 @@ network_facts network_of(const System& s) {
 struct run_facts {
   double wall_time = 0;  // of all stages in this program, s
   double test_time = 0;  // of the last stage in this program, s
+  double test_processor_time = 0;
   std::int64_t test_steps = 0;
   double grains = 0;
   int threads = 1;

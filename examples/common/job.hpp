@@ -31,6 +31,8 @@ using restart = std::optional<pendular::io::checkpoint_reader>;
 
 /// Seconds of a clock that never goes back.
 double seconds();
+/// Seconds of work of all threads of this program.
+double processor_seconds();
 int thread_count();
 
 /// Calls `work` with the checkpoint and with a monitor that shows progress and writes checkpoints into the folder of the

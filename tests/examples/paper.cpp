@@ -26,7 +26,7 @@ void write_job(const fs::path& folder, const std::string& options, double stress
       << R"({"options": ")" << options << R"(", "strength": {"residual_shear_stress_Pa": )" << stress
       << R"(, "peak_stress_Pa": )" << stress << R"(, "normal_stress_Pa": 300, "plane_stress_Pa": )" << 2 * stress
       << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5]},)"
-      << R"("cost": {"test_time_s": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
+      << R"("cost": {"processor_s_per_step": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
   std::ofstream table(folder / "shear_curve.csv");
   table << "displacement_over_mean_diameter,shear_stress_Pa\n";
   for (std::size_t k = 0; k < curve.size(); ++k) table << 0.5 * static_cast<double>(k) << ',' << curve[k] << '\n';
@@ -108,12 +108,12 @@ TEST_CASE("a study compares by seed with its finest setting") {
   for (const int seed : {1, 2}) {
     const auto name = "seed" + std::to_string(seed);
     const auto options = [&](const char* step) {
-      return std::string("time-step ") + step + " seed " + std::to_string(seed);
+      return std::string("duration 1 time-step ") + step + " seed " + std::to_string(seed);
     };
-    write_job(shear / "reference/reference" / name, options("4e-6"), 100 + 10 * seed, 20);
+    write_job(shear / "reference/reference" / name, options("4e-6"), 100 + 10 * seed, 2);
     write_job(compression / "reference/reference" / name, options("4e-6"), 1, 1);
-    write_job(shear / "time_step/1e-6" / name, options("9.9999999999999995e-07"), 90 + 11 * seed, 80);
-    write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 10);
+    write_job(shear / "time_step/1e-6" / name, options("9.9999999999999995e-07"), 90 + 11 * seed, 2);
+    write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 3.5);
   }
   const auto studies = paper::convergence::read(fs::path(shear).parent_path());
   REQUIRE(studies.size() == 1);

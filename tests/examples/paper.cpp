@@ -113,7 +113,7 @@ TEST_CASE("a study compares by seed with its finest setting") {
     write_job(shear / "reference/reference" / name, options("4e-6"), 100 + 10 * seed, 2);
     write_job(compression / "reference/reference" / name, options("4e-6"), 1, 1);
     write_job(shear / "time_step/1e-6" / name, options("9.9999999999999995e-07"), 90 + 11 * seed, 2);
-    write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 3.5);
+    write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 1.75);
   }
   const auto studies = paper::convergence::read(fs::path(shear).parent_path());
   REQUIRE(studies.size() == 1);

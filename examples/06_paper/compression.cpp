@@ -119,14 +119,16 @@ std::string still_zone(const fs::path& folder, const fs::path& figures) {
 }
 
 std::string relaxation(const fs::path& folder) {
-  table t(
-      {"w = 2 %", "strength (Pa)", "settlement of the surface (mm)", "of the centre (mm)", "unbalanced force ratio"});
+  table t({"w = 2 %", "strength (Pa)", "settlement of the surface (mm)", "of the centre (mm)",
+           "bridges per grain at the start", "unbalanced force ratio"});
   const auto row = [&](const char* label, const seeds& s) {
     const measured surface = of(s, "sample", "surface_settlement_m", 1e-3),
                    centre = of(s, "sample", "centre_settlement_m", 1e-3),
-                   unrest = of(s, "sample", "unbalanced_force_ratio");
+                   unrest = of(s, "sample", "unbalanced_force_ratio"),
+                   bridges = of(s, "sample", "bridges_per_grain_relaxed");
     t.add({label, in_pascal(strength(s)), number("%.4f", surface.mean, surface.error),
-           number("%.4f", centre.mean, centre.error), number("%.1e", unrest.mean)});
+           number("%.4f", centre.mean, centre.error), number("%.2f", bridges.mean, bridges.error),
+           number("%.1e", unrest.mean)});
   };
   row("relaxed for 0.1 s", runs_of(folder / "axial_stress" / "w0.02"));
   row("not relaxed", runs_of(folder / "not_relaxed" / "w0.02"));

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A job killed without warning and resumed ends with the same bits as one that was left alone.
-# Told: program, folder, job (its options, ; between them) and files to compare.
+# Told: program, folder, job (its options, ; between them), files to compare and how to go on: --resume or --continue.
 file(REMOVE_RECURSE "${folder}/whole" "${folder}/killed")
 file(MAKE_DIRECTORY "${folder}/killed")
 
@@ -11,6 +11,10 @@ endif()
 
 # Killed every second, in whatever stage that is, until it ends by itself; a slow machine gets longer each time.
 set(resume "")
+if(again STREQUAL "--continue")
+  set(resume --continue)  # from the first start on
+endif()
+set(resumed OFF)
 set(kills 0)
 foreach(attempt RANGE 1 60)
   math(EXPR seconds "1 + ${kills} / 3")
@@ -24,11 +28,12 @@ foreach(attempt RANGE 1 60)
   endif()
   math(EXPR kills "${kills} + 1")
   if(EXISTS "${folder}/killed/checkpoint.bin")
-    set(resume --resume)
+    set(resume ${again})
+    set(resumed ON)
   endif()
 endforeach()
 message(STATUS "killed ${kills} times")
-if(NOT code EQUAL 0 OR kills EQUAL 0 OR NOT resume)
+if(NOT code EQUAL 0 OR kills EQUAL 0 OR NOT resumed)
   message(FATAL_ERROR "after ${kills} kills the job ended with ${code}; it must be killed, resumed and then succeed: ${said}")
 endif()
 

@@ -8,8 +8,10 @@
 #include "run.hpp"
 
 #include <pendular/io/plot.hpp>
+#include <pendular/scene/grading.hpp>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace paper::shear {
@@ -62,6 +64,25 @@ double in_degrees(double radians) { return 180 / std::numbers::pi * radians; }
 std::string cohesion(const pendular::observe::coulomb_line& l) { return number("%.0f", l.cohesion, l.cohesion_error); }
 std::string angle(const pendular::observe::coulomb_line& l) {
   return number("%.1f", in_degrees(l.friction_angle()), in_degrees(l.friction_angle_error()));
+}
+
+/// Isotropic stress of capillary forces at contact in a packing whose sizes are not correlated, per neighbour by bridge:
+/// Rumpf's for several sizes, solid fraction kappa <R^3/2> <R^1/2> / (4 pi <R^3>), Pa.
+double capillary_pressure_per_bridge(double solid_fraction, double kappa) {
+  double high = 0, low = 0, cube = 0;
+  for (const auto& c : pendular::scene::shear_grading()) {
+    const double radius = c.diameter / 2;
+    high += c.proportion * std::pow(radius, 1.5);
+    low += c.proportion * std::sqrt(radius);
+    cube += c.proportion * radius * radius * radius;
+  }
+  return solid_fraction * kappa * high * low / (4 * std::numbers::pi * cube);
+}
+
+/// What the bridges would give as cohesion if all of them pulled with f_0: tan(phi) times their pressure.
+std::string expected_cohesion(const locus& l, const run& any) {
+  const double kappa = any.numeric_option("kappa"), fraction = any.number("sample", "solid_fraction");
+  return number("%.0f", l.over_plane.tan_friction * l.bridges.mean * capillary_pressure_per_bridge(fraction, kappa));
 }
 
 void draw_loci(const std::vector<locus>& loci, const fs::path& file) {
@@ -130,14 +151,14 @@ std::string stress_curves(const fs::path& folder, const fs::path& figures) {
 std::string yield_loci(const fs::path& folder, const fs::path& figures) {
   std::vector<locus> loci;
   table t({"w (%)", "bridges per grain", "cohesion over lid stress (Pa)", "angle (degrees)",
-           "cohesion over plane stress (Pa)", "angle (degrees)", "at the peak: cohesion over plane stress (Pa)",
-           "angle (degrees)"});
+           "cohesion over plane stress (Pa)", "angle (degrees)", "Rumpf (Pa)",
+           "at the peak: cohesion over plane stress (Pa)", "angle (degrees)"});
   for (const char* water : waters) {
     const auto all = all_stresses(folder, water);
     const locus l = locus_of(all), top = peak_locus_of(all);
     t.add({number("%g", 100 * std::stod(water)), number("%.2f", l.bridges.mean, l.bridges.error), cohesion(l.over_lid),
-           angle(l.over_lid), cohesion(l.over_plane), angle(l.over_plane), cohesion(top.over_plane),
-           angle(top.over_plane)});
+           angle(l.over_lid), cohesion(l.over_plane), angle(l.over_plane), expected_cohesion(l, all.front().front()),
+           cohesion(top.over_plane), angle(top.over_plane)});
     loci.push_back(l);
   }
   draw_loci(loci, figures / "fig06a_yield_loci.png");

@@ -5,8 +5,7 @@
 #include "run.hpp"
 
 #include "../common/composition.hpp"
-#include "../common/facts.hpp"
-#include "../common/snapshot.hpp"
+#include "../common/observed.hpp"
 
 #include <pendular/scene/simple_compression.hpp>
 
@@ -42,11 +41,8 @@ inline scene::compression_parameters parameters(const options& o) {
 template <class Scene>
 class job {
  public:
-  job(const options& o, Scene& scene) : options_(o), scene_(scene) {
-    if (scene.compressing() && o.snapshots > 0) {
-      shots_ = static_cast<int>(std::floor(scene.result().records.back().time / shot_interval() + 1e-9)) + 1;
-    }
-    lines_before_ = scene.result().records.size();
+  job(const options& o, Scene& scene)
+      : options_(o), scene_(scene), watch_(o, o.duration, way_of(scene.result()), scene.result().records.size()) {
     scene.look = [this](const auto& s, const scene::compression_result& r) { look(s, r); };
   }
 
@@ -59,24 +55,18 @@ class job {
   }
 
  private:
-  double shot_interval() const { return options_.duration / options_.snapshots; }
+  static double way_of(const scene::compression_result& r) { return r.records.empty() ? 0 : r.records.back().time; }
 
   template <class System>
   void look(const System& s, const scene::compression_result& r) {
-    if (r.records.empty()) test_began_ = examples::seconds(), test_work_began_ = examples::processor_seconds();
-    const double time = r.records.empty() ? 0 : r.records.back().time;
-    if (options_.snapshots == 0 || time < shots_ * shot_interval() - 1e-9) return;
-    write_snapshot(options_, examples::take(s, r.reference, time), shots_++);
+    if (r.records.empty()) watch_.test_begins();
+    watch_.look(s, r.reference, way_of(r), way_of(r));
   }
 
   examples::run_facts facts() const {
     const scene::compression_result& r = scene_.result();
     examples::run_facts f = examples::facts_of(scene_.sample());
-    f.wall_time = examples::seconds() - began_;
-    f.test_time = examples::seconds() - test_began_;
-    f.test_processor_time = examples::processor_seconds() - test_work_began_;
-    const double interval = std::max(1.0, std::round(parameters(options_).sample_interval / options_.time_step));
-    f.test_steps = std::llround(static_cast<double>(r.records.size() - lines_before_) * interval);
+    watch_.put(f, r.records.size(), parameters(options_).sample_interval, options_.time_step);
     f.mean_diameter = scene::mean_diameter(scene::compression_grading());
     for (const auto& line : r.records) f.worst_liquid = std::max(f.worst_liquid, std::abs(line.liquid - 1));
     f.imbalance = r.records.back().imbalance;
@@ -88,9 +78,7 @@ class job {
 
   const options& options_;
   Scene& scene_;
-  int shots_ = 0;
-  std::size_t lines_before_ = 0;
-  double began_ = examples::seconds(), test_began_ = began_, test_work_began_ = examples::processor_seconds();
+  examples::observed watch_;
 };
 
 /// Runs one composition from wherever it is to the end.

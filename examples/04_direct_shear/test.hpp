@@ -5,8 +5,7 @@
 #include "run.hpp"
 
 #include "../common/composition.hpp"
-#include "../common/facts.hpp"
-#include "../common/snapshot.hpp"
+#include "../common/observed.hpp"
 
 #include <pendular/scene/direct_shear.hpp>
 
@@ -38,11 +37,8 @@ inline scene::shear_parameters parameters(const options& o) {
 template <class Scene>
 class job {
  public:
-  job(const options& o, Scene& scene) : options_(o), scene_(scene) {
-    if (scene.shearing() && o.snapshots > 0) {
-      shots_ = static_cast<int>(std::floor(scene.result().records.back().displacement / shot_interval() + 1e-9)) + 1;
-    }
-    lines_before_ = scene.result().records.size();
+  job(const options& o, Scene& scene)
+      : options_(o), scene_(scene), watch_(o, o.displacement, way_of(scene.result()), scene.result().records.size()) {
     scene.look = [this](const auto& s, const scene::shear_result& r) { look(s, r); };
   }
 
@@ -55,25 +51,18 @@ class job {
   }
 
  private:
-  double shot_interval() const { return options_.displacement / options_.snapshots; }
+  static double way_of(const scene::shear_result& r) { return r.records.empty() ? 0 : r.records.back().displacement; }
 
   template <class System>
   void look(const System& s, const scene::shear_result& r) {
-    if (r.records.empty()) test_began_ = examples::seconds(), test_work_began_ = examples::processor_seconds();
-    const double way = r.records.empty() ? 0 : r.records.back().displacement;
-    if (options_.snapshots == 0 || way < shots_ * shot_interval() - 1e-9) return;
-    write_snapshot(options_, examples::take(s, r.reference, way / options_.shear_speed), shots_++);
+    if (r.records.empty()) watch_.test_begins();
+    watch_.look(s, r.reference, way_of(r), way_of(r) / options_.shear_speed);
   }
 
   examples::run_facts facts() const {
     const scene::shear_result& r = scene_.result();
     examples::run_facts f = examples::facts_of(scene_.sample());
-    f.wall_time = examples::seconds() - began_;
-    f.test_time = examples::seconds() - test_began_;
-    f.test_processor_time = examples::processor_seconds() - test_work_began_;
-    const double each = parameters(options_).sample_interval / options_.shear_speed;
-    f.test_steps = std::llround(static_cast<double>(r.records.size() - lines_before_) *
-                                std::max(1.0, std::round(each / options_.time_step)));
+    watch_.put(f, r.records.size(), parameters(options_).sample_interval / options_.shear_speed, options_.time_step);
     f.mean_diameter = scene::mean_diameter(options_.grain_sizes());
     for (const auto& line : r.records) f.worst_liquid = std::max(f.worst_liquid, std::abs(line.liquid - 1));
     f.imbalance = r.records.back().energy.imbalance;
@@ -85,9 +74,7 @@ class job {
 
   const options& options_;
   Scene& scene_;
-  int shots_ = 0;
-  std::size_t lines_before_ = 0;
-  double began_ = examples::seconds(), test_began_ = began_, test_work_began_ = examples::processor_seconds();
+  examples::observed watch_;
 };
 
 template <class Friction>

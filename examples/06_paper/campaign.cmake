@@ -4,8 +4,8 @@
 set(folder "${PROJECT_BINARY_DIR}/paper")
 set(results)
 # Settings whose error is stated in docs/explanation/convergence.md.
-set(shear_usual --time-step 8e-6 --mass-scaling 4 --displacement 4e-3 --residual-from 1)
-set(compression_usual --time-step 8e-6 --mass-scaling 4 --duration 0.8)
+set(shear_usual --time-step 1.6e-5 --mass-scaling 16 --displacement 4e-3 --residual-from 1)
+set(compression_usual --time-step 1.6e-5 --mass-scaling 16 --duration 0.8)
 set(quiet --no-pictures --snapshots 0)
 set(own_friction --friction viscous-coulomb --time-step 1e-6 --mass-scaling 1)
 
@@ -61,7 +61,7 @@ foreach(water 0.02 0.04 0.06)
            ${quiet})
 endforeach()
 # Cohesion over grain size, in samples of 2000: stiffness and step go with the size
-foreach(scale_stiffness_step 0.5:1250:4e-6 1:2500:8e-6 2:5000:1.6e-5)
+foreach(scale_stiffness_step 0.5:1250:8e-6 1:2500:1.6e-5 2:5000:3.2e-5)
   string(REPLACE ":" ";" parts ${scale_stiffness_step})
   list(GET parts 0 scale)
   list(GET parts 1 stiffness)

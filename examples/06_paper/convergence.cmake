@@ -35,7 +35,7 @@ study(compression reference reference 4 --time-step 4e-6 --mass-scaling 1)
 foreach(step 1e-6 2e-6 7e-6)
   study(shear time_step ${step} 4 --time-step ${step})
 endforeach()
-foreach(step 1e-6 2e-6 8e-6)
+foreach(step 1e-6 2e-6 6e-6)
   study(compression time_step ${step} 4 --time-step ${step} --mass-scaling 1)
 endforeach()
 

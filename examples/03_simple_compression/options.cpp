@@ -32,8 +32,8 @@ std::string options::physics() const {
   std::ostringstream text;
   text.precision(17);
   text << physics_of(*this) << " wall-speed " << wall_speed << " duration " << duration << " relaxation " << relaxation
-       << " preparation-friction " << preparation_friction << " packing " << packing.string() << " grains " << grains
-       << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
+       << " preparation-friction " << preparation_friction << " packing " << examples::label_of(packing) << " grains "
+       << grains << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
   return text.str();
 }
 

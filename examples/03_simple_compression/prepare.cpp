@@ -9,16 +9,20 @@ namespace {
 
 using namespace pendular;
 
-template <class Material>
-scene::sealed_packing prepare_with(const options& o, const Material& m, const examples::restart& from,
-                                   const scene::monitor& watch) {
+scene::packing_parameters parameters(const options& o) {
   scene::packing_parameters p;
   p.grains = o.grains;
   p.cylinder_radius *= std::cbrt(static_cast<double>(o.grains) / 8000.0);
   p.time_step = o.preparation_time_step();  // grains weigh what they weigh while the sample is made
   p.seed = o.seed;
   p.numerics.force = o.force;
-  scene::packing<Material> packing(p, m, material{normal::linear{o.stiffness}, damping::viscous{0.8}});
+  return p;
+}
+
+template <class Material>
+scene::sealed_packing prepare_with(const options& o, const Material& m, const examples::restart& from,
+                                   const scene::monitor& watch) {
+  scene::packing<Material> packing(parameters(o), m, material{normal::linear{o.stiffness}, damping::viscous{0.8}});
   if (from) packing.resume(*from);
   const scene::sealed_packing sealed = packing.run(watch);
   scene::write(sealed, o.output / "packing.bin");
@@ -28,9 +32,7 @@ scene::sealed_packing prepare_with(const options& o, const Material& m, const ex
 }  // namespace
 
 scene::sealed_packing prepare(const options& o, const examples::restart& from, const scene::monitor& watch) {
-  if (!o.packing.empty()) {
-    return scene::load_packing(io::checkpoint_reader(o.packing), o.grains, "docs/how-to/run_the_paper.md");
-  }
+  if (!o.packing.empty()) return scene::load_packing(io::checkpoint_reader(o.packing), parameters(o));
   const normal::linear elastic{o.stiffness};
   const damping::viscous dashpot{0.8};
   if (o.preparation_friction > 0) {

@@ -50,8 +50,8 @@ class job {
     scene_.run(watch);
     const auto& result = scene_.result();
     const auto last = examples::take(scene_.sample(), result.reference, result.records.back().time);
-    report(options_, result, facts(), still_grains_of(last, result.records.back().shortening));
     draw_sample(options_, last, boundary::get<1>(scene_.sample().walls()).shape.point.z);
+    report(options_, result, facts(), still_grains_of(last, result.records.back().shortening));
   }
 
  private:
@@ -88,6 +88,7 @@ void run(const options& o, const Material& m, const Liquid& l, const examples::r
   scene::simple_compression<Material, Liquid> scene(parameters(o), m, l);
   const auto stage = from ? from->template get<std::string>("scene.stage") : "deposit";
   if (stage != "deposit" && stage != "seal") {
+    if (o.packing_only) return;  // it is there
     scene.resume(*from);
   } else {
     const scene::sealed_packing packing = prepare(o, from, watch);

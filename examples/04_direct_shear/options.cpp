@@ -4,6 +4,8 @@
 #include "../common/command_line.hpp"
 
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <sstream>
 
 options::options() {
@@ -64,8 +66,8 @@ std::string options::physics() const {
   text.precision(17);
   text << physics_of(*this) << " normal-stress " << normal_stress << " shear-speed " << shear_speed << " displacement "
        << displacement << " solid-fraction " << solid_fraction << " wall-friction " << wall_friction
-       << " plate-friction " << plate_friction << " scale " << scale << " packing " << packing.string() << " grains "
-       << grains << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
+       << " plate-friction " << plate_friction << " scale " << scale << " packing " << examples::label_of(packing)
+       << " grains " << grains << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
   return text.str();
 }
 
@@ -77,7 +79,7 @@ std::vector<std::string> options::departures() const {
     (text << ... << parts);
     if (differs) list.push_back(text.str());
   };
-  add(grains != usual.grains, "grains: ", grains, " in a smaller cell; the paper has 7307 in 46 mm");
+  add(grains != usual.grains, "grains: ", grains, " in a cell of their size; the paper has 7307 in 46 mm");
   add(scale != 1, "scale: grains and cell ", scale, " times the paper's");
   add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
   add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
@@ -93,5 +95,12 @@ options read_options(int count, char** arguments) {
   describe(app, o);
   examples::describe(app, static_cast<examples::job_options&>(o));
   examples::parse(app, "04_direct_shear", count, arguments);
+  const double reach = o.displacement / pendular::scene::mean_diameter(o.grain_sizes());
+  if (!o.packing_only && o.residual_from > 0.9 * reach) {
+    std::cerr << "04_direct_shear: --residual-from is " << o.residual_from
+              << " mean diameters, but must be at most 0.9 of "
+              << "--displacement, which is " << reach << "; docs/how-to/run_the_paper.md\n";
+    std::exit(2);
+  }
   return o;
 }

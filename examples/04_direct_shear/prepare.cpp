@@ -3,10 +3,8 @@
 
 using namespace pendular;
 
-scene::sealed_packing prepare(const options& o, const examples::restart& from, const scene::monitor& watch) {
-  if (!o.packing.empty()) {
-    return scene::load_packing(io::checkpoint_reader(o.packing), o.grains, "docs/how-to/run_the_paper.md");
-  }
+namespace {
+scene::packing_parameters parameters(const options& o) {
   scene::packing_parameters p;
   p.grains = o.grains;
   p.sizes = o.grain_sizes();
@@ -16,8 +14,14 @@ scene::sealed_packing prepare(const options& o, const examples::restart& from, c
   p.time_step = o.preparation_time_step();  // grains weigh what they weigh while the sample is made
   p.seed = o.seed;
   p.numerics.force = o.force;
+  return p;
+}
+}  // namespace
+
+scene::sealed_packing prepare(const options& o, const examples::restart& from, const scene::monitor& watch) {
+  if (!o.packing.empty()) return scene::load_packing(io::checkpoint_reader(o.packing), parameters(o));
   const material smooth{normal::linear{o.stiffness}, damping::viscous{0.8}};
-  scene::packing packing(p, smooth, smooth);
+  scene::packing packing(parameters(o), smooth, smooth);
   if (from) packing.resume(*from);
   const scene::sealed_packing deposited = packing.run(watch);
   scene::write(deposited, o.output / "packing.bin");

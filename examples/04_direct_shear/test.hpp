@@ -45,9 +45,9 @@ class job {
   void run(const scene::monitor& watch) {
     scene_.run(watch);
     const auto& result = scene_.result();
-    report(options_, result, facts());
     draw_sample(options_, examples::take(scene_.sample(), result.reference, result.records.back().time),
                 result.records.back().height);
+    report(options_, result, facts());
   }
 
  private:
@@ -69,6 +69,11 @@ class job {
     f.turnover = r.records.back().energy.turnover;
     f.energy_at_start = r.energy_at_start;
     f.departures = options_.departures();
+    if (r.sample.solid_fraction < options_.solid_fraction) {
+      f.departures.push_back("solid fraction: " + std::to_string(r.sample.solid_fraction).substr(0, 6) +
+                             " after all of the consolidation, not " +
+                             std::to_string(options_.solid_fraction).substr(0, 6));
+    }
     return f;
   }
 
@@ -93,6 +98,7 @@ void run(const options& o, const Friction& friction, const Liquid& l, const exam
          const scene::monitor& watch) {
   scene::direct_shear scene(parameters(o), materials(o, friction), l);
   if (from && from->template get<std::string>("scene.stage") != "deposit") {
+    if (o.packing_only) return;  // it is there
     scene.resume(*from);
   } else {
     const scene::sealed_packing packing = prepare(o, from, watch);

@@ -4,7 +4,7 @@
 set(folder "${PROJECT_BINARY_DIR}/paper")
 set(results)
 # Settings whose error is stated in docs/explanation/convergence.md.
-set(shear_usual --time-step 1.6e-5 --mass-scaling 16 --displacement 4e-3 --residual-from 1)
+set(shear_usual --time-step 1.6e-5 --mass-scaling 16 --displacement 3.3e-3 --residual-from 1)
 set(compression_usual --time-step 1.6e-5 --mass-scaling 16 --duration 0.8)
 set(quiet --no-pictures --snapshots 0)
 set(own_friction --friction viscous-coulomb --time-step 1e-6 --mass-scaling 1)
@@ -23,7 +23,11 @@ foreach(seed 1 2 3)
   endforeach()
 endforeach()
 
-# Figs. 5, 6
+# Fig. 5
+foreach(water 0 0.01)
+  campaign(shear stress_curves w${water} --water-content ${water} --displacement 5e-3 ${quiet})
+endforeach()
+# Fig. 6
 foreach(water 0 0.0005 0.002 0.01 0.02)
   foreach(stress 300 550 800)
     campaign(shear yield_loci w${water}_s${stress} --water-content ${water} --normal-stress ${stress} ${quiet})
@@ -51,27 +55,27 @@ foreach(water 0.02 0.04)
 endforeach()
 campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
 # Eq. 12 at the paper's step
-campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_friction} --displacement 2.5e-3 ${quiet})
+campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_friction} ${quiet})
 foreach(stress 300 800)
-  campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} --displacement 2.5e-3
-           ${quiet})
+  campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} ${quiet})
 endforeach()
 foreach(water 0.02 0.04 0.06)
   campaign(compression own_friction compression_w${water} --water-content ${water} ${own_friction} --duration 0.5
            ${quiet})
 endforeach()
-# Cohesion over grain size, in samples of 2000: stiffness and step go with the size
-foreach(scale_stiffness_step 0.5:1250:8e-6 1:2500:1.6e-5 2:5000:3.2e-5)
-  string(REPLACE ":" ";" parts ${scale_stiffness_step})
+# Cohesion over grain size, in samples of 2000: stiffness, step and displacement go with the size
+foreach(scale_stiffness_step_displacement 0.5:1250:8e-6:1.65e-3 1:2500:1.6e-5:3.3e-3 2:5000:3.2e-5:6.6e-3)
+  string(REPLACE ":" ";" parts ${scale_stiffness_step_displacement})
   list(GET parts 0 scale)
   list(GET parts 1 stiffness)
   list(GET parts 2 step)
+  list(GET parts 3 displacement)
   foreach(water 0 0.01)
     foreach(stress 300 800)
       foreach(seed 1 2 3)
         pendular_job(results "${folder}/grain_size/x${scale}_w${water}_s${stress}/seed${seed}" ${shear} --seed ${seed}
                      ${shear_usual} ${quiet} --grains 2000 --scale ${scale} --stiffness ${stiffness} --time-step ${step}
-                     --water-content ${water} --normal-stress ${stress})
+                     --displacement ${displacement} --water-content ${water} --normal-stress ${stress})
       endforeach()
     endforeach()
   endforeach()

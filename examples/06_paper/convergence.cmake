@@ -5,7 +5,6 @@ set(folder "${PROJECT_BINARY_DIR}/convergence")
 set(results)
 set(shear_usual --grains 1000 --displacement 3.3e-3 --residual-from 1 --no-pictures --snapshots 0)
 set(compression_usual --grains 1000 --duration 0.6 --no-pictures --snapshots 0)
-set(short_of_compression 0.6e-3)  # m, of shortening
 
 foreach(seed RANGE 1 4)
   foreach(test shear compression)
@@ -32,10 +31,10 @@ endmacro()
 study(shear reference reference 4)
 study(compression reference reference 4 --time-step 4e-6 --mass-scaling 1)
 
-foreach(step 1e-6 2e-6 7e-6)
+foreach(step 1e-6 2e-6 4.5e-6)
   study(shear time_step ${step} 4 --time-step ${step})
 endforeach()
-foreach(step 1e-6 2e-6 6e-6)
+foreach(step 1e-6 2e-6 4.8e-6)
   study(compression time_step ${step} 4 --time-step ${step} --mass-scaling 1)
 endforeach()
 

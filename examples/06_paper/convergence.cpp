@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace paper::convergence {
 
@@ -59,20 +60,20 @@ double time_of(const seeds& s) {
 
 /// By run of the same seed, over the mean of the best.
 measured change_from(const seeds& best, const seeds& s, const std::string& test) {
-  std::vector<double> differences;
-  for (const run& r : s) {
-    for (const run& b : best) {
-      if (r.option("seed") == b.option("seed")) differences.push_back(stress_of(r, test) - stress_of(b, test));
-    }
-  }
+  const auto differences =
+      by_seed(s, best, [&](const run& r, const run& b) { return stress_of(r, test) - stress_of(b, test); });
   const double whole = mean_of(each(best, [&](const run& r) { return stress_of(r, test); })).mean;
   const measured found = mean_of(differences);
   return {found.mean / whole, found.error / whole};
 }
 
-point point_of(const series& kind, const seeds& s, const seeds& best, const std::string& test) {
+/// A setting and its runs.
+using setting = std::pair<std::string, seeds>;
+
+point point_of(const setting& of, const seeds& best, const std::string& test) {
+  const auto& [value, s] = of;
   point p;
-  p.value = s.front().option(kind.option);
+  p.value = value;
   p.stress = mean_of(each(s, [&](const run& r) { return stress_of(r, test); }));
   p.change = change_from(best, s, test);
   p.time = time_of(s);
@@ -81,28 +82,27 @@ point point_of(const series& kind, const seeds& s, const seeds& best, const std:
   return p;
 }
 
-bool finer(const series& kind, const seeds& a, const seeds& b) {
-  const auto value = [&](const seeds& s) { return s.front().numeric_option(kind.option); };
+bool finer(const series& kind, const setting& a, const setting& b) {
   switch (kind.best) {
   case finest::smallest:
-    return value(a) < value(b);
+    return std::stod(a.first) < std::stod(b.first);
   case finest::largest:
-    return value(a) > value(b);
+    return std::stod(a.first) > std::stod(b.first);
   default:
-    return a.front().option(kind.option) == "laplace-young" && b.front().option(kind.option) != "laplace-young";
+    return a.first == "laplace-young" && b.first != "laplace-young";
   }
 }
 
 study study_of(const series& kind, const std::filesystem::path& folder, const seeds& reference,
                const std::string& test) {
   study found{test, kind.name, kind.title, {}};
-  std::vector<seeds> settings;
-  for (auto& [name, s] : cases(folder / kind.name)) settings.push_back(s);
+  std::vector<setting> settings = cases(folder / kind.name);
   if (settings.empty()) return found;
-  if (kind.with_reference) settings.push_back(reference);
-  std::stable_sort(settings.begin(), settings.end(), [&](const seeds& a, const seeds& b) { return finer(kind, a, b); });
-  for (const seeds& s : settings) {
-    found.points.push_back(point_of(kind, s, settings.front(), test));
+  if (kind.with_reference) settings.emplace_back(reference.front().option(kind.option), reference);
+  std::stable_sort(settings.begin(), settings.end(),
+                   [&](const setting& a, const setting& b) { return finer(kind, a, b); });
+  for (const setting& s : settings) {
+    found.points.push_back(point_of(s, settings.front().second, test));
     found.points.back().time /= time_of(reference);
   }
   return found;

@@ -4,22 +4,27 @@
 #include "measured.hpp"
 #include "run.hpp"
 
-#include <pendular/observe/coulomb_fit.hpp>
-
+#include <string>
 #include <vector>
 
 namespace paper {
 
-/// Residual states of samples that differ by normal stress and seed, and the Coulomb lines through them.
+/// Mean Coulomb line of the seeds, each of which has one of its own: points of one packing are not independent.
+struct mean_line {
+  measured cohesion;      // Pa
+  measured tan_friction;  // and its angle
+  measured angle;         // degrees
+};
+
+/// States of samples that differ by normal stress and seed, and the lines through them.
 struct locus {
-  std::vector<double> lid, plane, shear;  // Pa; the plane between the halves bears weight besides the lid
-  pendular::observe::coulomb_line over_lid, over_plane;
+  std::vector<double> plane, shear;  // of every run, Pa; the plane between the halves bears weight besides the lid
+  mean_line over_lid, over_plane;
   measured bridges;  // per grain when the shear starts
 };
 
-locus locus_of(const std::vector<seeds>& normal_stresses);
-
-/// The same of the shear stress at its peak.
-locus peak_locus_of(const std::vector<seeds>& normal_stresses);
+/// Of the residual shear stress, or of what else summary.json has under "strength". Takes the seeds that have a run at
+/// every normal stress. Errors: input_error for fewer than two normal stresses.
+locus locus_of(const std::vector<seeds>& normal_stresses, const std::string& strength = "residual_shear_stress_Pa");
 
 }  // namespace paper

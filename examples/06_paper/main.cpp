@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using tables = std::map<std::string, std::string>;  // by the marker in the page
 
-tables of_paper(const fs::path& folder, const fs::path& figures) {
+/// Clears `complete` where a part is left out because its jobs have not ended.
+tables of_paper(const fs::path& folder, const fs::path& figures, bool& complete) {
   namespace shear = paper::shear;
   namespace compression = paper::compression;
   const std::map<std::string, std::function<std::string()>> parts{
@@ -42,6 +43,7 @@ tables of_paper(const fs::path& folder, const fs::path& figures) {
       found[name] = part();
     } catch (const std::exception& error) {
       std::cerr << "06_paper: " << name << " is left out: " << error.what() << '\n';
+      complete = false;
     }
   }
   return found;
@@ -86,10 +88,11 @@ int main(int count, char** arguments) {
   try {
     const fs::path figures = folder / "figures";
     fs::create_directories(figures);
-    put(what == "paper" ? of_paper(folder, figures) : of_convergence(folder, figures), folder, page);
+    bool complete = true;
+    put(what == "paper" ? of_paper(folder, figures, complete) : of_convergence(folder, figures), folder, page);
+    return complete ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << "06_paper: " << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return EXIT_SUCCESS;
 }

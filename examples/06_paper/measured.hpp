@@ -23,13 +23,4 @@ inline measured mean_of(const std::vector<double>& values) {
   return {x.mean(), std::sqrt(squares / (count - 1) / count)};
 }
 
-/// a / b of independent means.
-inline measured ratio(const measured& a, const measured& b) {
-  const double value = a.mean / b.mean;
-  return {value, std::abs(value) * std::hypot(a.error / a.mean, b.error / b.mean)};
-}
-inline measured difference(const measured& a, const measured& b) {
-  return {a.mean - b.mean, std::hypot(a.error, b.error)};
-}
-
 }  // namespace paper

@@ -46,6 +46,18 @@ std::vector<std::pair<std::string, seeds>> cases(const std::filesystem::path& fo
 /// The runs of one case. Errors: std::runtime_error if there is none.
 seeds runs_of(const std::filesystem::path& of_case);
 
+/// f(a, b) of the runs with the same seed, which have the same packing.
+template <class F>
+std::vector<double> by_seed(const seeds& some, const seeds& others, const F& f) {
+  std::vector<double> values;
+  for (const run& a : some) {
+    for (const run& b : others) {
+      if (a.option("seed") == b.option("seed")) values.push_back(f(a, b));
+    }
+  }
+  return values;
+}
+
 /// One number of every run.
 template <class Value>
 std::vector<double> each(const seeds& s, const Value& value) {

@@ -59,12 +59,8 @@ measured peak(const seeds& s) {
 
 std::string in_pascal(const measured& m) { return number("%.0f", m.mean, m.error); }
 
-double in_degrees(double radians) { return 180 / std::numbers::pi * radians; }
-
-std::string cohesion(const pendular::observe::coulomb_line& l) { return number("%.0f", l.cohesion, l.cohesion_error); }
-std::string angle(const pendular::observe::coulomb_line& l) {
-  return number("%.1f", in_degrees(l.friction_angle()), in_degrees(l.friction_angle_error()));
-}
+std::string cohesion(const mean_line& l) { return in_pascal(l.cohesion); }
+std::string angle(const mean_line& l) { return number("%.1f", l.angle.mean, l.angle.error); }
 
 /// Isotropic stress of capillary forces at contact in a packing whose sizes are not correlated, per neighbour by bridge:
 /// Rumpf's for several sizes, solid fraction kappa <R^3/2> <R^1/2> / (4 pi <R^3>), Pa.
@@ -82,12 +78,13 @@ double capillary_pressure_per_bridge(double solid_fraction, double kappa) {
 /// What the bridges would give as cohesion if all of them pulled with f_0: tan(phi) times their pressure.
 std::string expected_cohesion(const locus& l, const run& any) {
   const double kappa = any.numeric_option("kappa"), fraction = any.number("sample", "solid_fraction");
-  return number("%.0f", l.over_plane.tan_friction * l.bridges.mean * capillary_pressure_per_bridge(fraction, kappa));
+  return number("%.0f",
+                l.over_plane.tan_friction.mean * l.bridges.mean * capillary_pressure_per_bridge(fraction, kappa));
 }
 
 void draw_loci(const std::vector<locus>& loci, const fs::path& file) {
   pendular::io::plot p;
-  p.title = "Yield loci in direct shear, three seeds, lines by least squares (Fig. 6a)";
+  p.title = "Yield loci in direct shear, all seeds, mean of their lines (Fig. 6a)";
   p.x_label = "normal stress on the plane between the halves (Pa)";
   p.y_label = "residual shear stress (Pa)";
   p.x_range = {{0, 1100}};
@@ -100,8 +97,12 @@ void draw_loci(const std::vector<locus>& loci, const fs::path& file) {
                         curve_style::points,
                         k,
                         {}});
-    p.curves.push_back(
-        {"", {0, 1100}, {line.cohesion, line.cohesion + 1100 * line.tan_friction}, curve_style::lines, k, {}});
+    p.curves.push_back({"",
+                        {0, 1100},
+                        {line.cohesion.mean, line.cohesion.mean + 1100 * line.tan_friction.mean},
+                        curve_style::lines,
+                        k,
+                        {}});
   }
   pendular::io::draw(p, file);
 }
@@ -116,8 +117,8 @@ void draw_cohesion(const std::vector<locus>& loci, const fs::path& file) {
   pendular::io::curve plane{"over the stress on the plane", {}, {}, curve_style::linespoints, {}, {}};
   for (std::size_t k = 0; k < loci.size(); ++k) {
     for (auto* c : {&lid, &plane}) c->x.push_back(100 * std::stod(waters[k]));
-    lid.y.push_back(loci[k].over_lid.cohesion), lid.error.push_back(loci[k].over_lid.cohesion_error);
-    plane.y.push_back(loci[k].over_plane.cohesion), plane.error.push_back(loci[k].over_plane.cohesion_error);
+    lid.y.push_back(loci[k].over_lid.cohesion.mean), lid.error.push_back(loci[k].over_lid.cohesion.error);
+    plane.y.push_back(loci[k].over_plane.cohesion.mean), plane.error.push_back(loci[k].over_plane.cohesion.error);
   }
   p.curves = {lid, plane};
   p.curves.push_back({"paper, simulation", {0.1, 2}, {paper_cohesion, paper_cohesion}, curve_style::dashed, {}, {}});
@@ -130,18 +131,21 @@ void draw_cohesion(const std::vector<locus>& loci, const fs::path& file) {
 
 std::string stress_curves(const fs::path& folder, const fs::path& figures) {
   auto p = shear_plot("Shear stress at a normal stress of 300 Pa, w = 0 and 1 % (Fig. 5)");
-  table t({"w (%)", "peak (Pa)", "residual (Pa)", "peak over residual", "drops of 5 % per diameter"});
+  table t({"w (%)", "peak (Pa)", "at displacement (diameters)", "mean from 1 to 2 diameters (Pa)", "from 2 to 3 (Pa)",
+           "drops of 2 % per diameter"});
   std::size_t colour = 0;
   for (const char* water : {"0", "0.01"}) {
-    const seeds s = sheared(folder, water, "300");
+    const seeds s = runs_of(folder / "stress_curves" / ("w" + std::string(water)));
     const std::string w = number("%g", 100 * std::stod(water));
     add(p, "w = " + w + " %, first seed", stress_curve(s.front()), colour);
-    add(p, "mean of three", mean_curve(s), colour++, curve_style::dashed);
-    const measured drops = mean_of(each(s, [](const run& r) { return drops_per_diameter(r, 0.05); }));
-    const measured over = mean_of(each(s, [](const run& r) {
-      return r.number("strength", "peak_shear_stress_Pa") / r.number("strength", "residual_shear_stress_Pa");
-    }));
-    t.add({w, in_pascal(peak(s)), in_pascal(residual(s)), number("%.2f", over.mean, over.error),
+    add(p, "mean of " + std::to_string(s.size()), mean_curve(s), colour++, curve_style::dashed);
+    const measured drops = mean_of(each(s, [](const run& r) { return drops_per_diameter(r, 0.02); }));
+    const measured at =
+        mean_of(each(s, [](const run& r) { return r.number("strength", "displacement_at_peak_mean_diameters"); }));
+    const auto mean = [&](double from, double to) {
+      return in_pascal(mean_of(each(s, [&](const run& r) { return mean_between(stress_curve(r), from, to); })));
+    };
+    t.add({w, in_pascal(peak(s)), number("%.2f", at.mean, at.error), mean(1, 2), mean(2, 3),
            number("%.1f", drops.mean, drops.error)});
   }
   pendular::io::draw(p, figures / "fig05_shear_stress.png");
@@ -155,7 +159,7 @@ std::string yield_loci(const fs::path& folder, const fs::path& figures) {
            "at the peak: cohesion over plane stress (Pa)", "angle (degrees)"});
   for (const char* water : waters) {
     const auto all = all_stresses(folder, water);
-    const locus l = locus_of(all), top = peak_locus_of(all);
+    const locus l = locus_of(all), top = locus_of(all, "peak_shear_stress_Pa");
     t.add({number("%g", 100 * std::stod(water)), number("%.2f", l.bridges.mean, l.bridges.error), cohesion(l.over_lid),
            angle(l.over_lid), cohesion(l.over_plane), angle(l.over_plane), expected_cohesion(l, all.front().front()),
            cohesion(top.over_plane), angle(top.over_plane)});
@@ -169,7 +173,8 @@ std::string yield_loci(const fs::path& folder, const fs::path& figures) {
 std::string bonds(const fs::path& folder, const fs::path& figures) {
   const seeds dry = sheared(folder, "0", "300"), full = sheared(folder, "0.01", "300");
   const seeds half = runs_of(folder / "thinned" / "t2_s300");
-  auto p = shear_plot("Full and half the bonds at w = 1 %, 300 Pa, means of three seeds (Fig. 7)");
+  auto p = shear_plot("Full and half the bonds at w = 1 %, 300 Pa, means of " + std::to_string(full.size()) +
+                      " seeds (Fig. 7)");
   add(p, "all bonds", mean_curve(full), 0);
   add(p, "half the bonds", mean_curve(half), 1);
   add(p, "dry", mean_curve(dry), 2, curve_style::dashed);
@@ -179,18 +184,19 @@ std::string bonds(const fs::path& folder, const fs::path& figures) {
   pendular::io::draw(p, figures / "fig07_inset.png");
 
   table t({"bonds kept", "bridges per grain, start", "end", "over dry at 0.05 to 0.3 diameters (Pa)",
-           "over dry beyond 1 diameter (Pa)", "cohesion from 300 and 800 Pa (Pa)"});
+           "over dry at 1 to 2 diameters (Pa)", "cohesion from 300 and 800 Pa (Pa)"});
+  const auto over_dry = [&](const seeds& low, double from, double to) {
+    return in_pascal(mean_of(by_seed(low, dry, [&](const run& wet, const run& dry_one) {
+      return mean_between(stress_curve(wet), from, to) - mean_between(stress_curve(dry_one), from, to);
+    })));
+  };
   const auto row = [&](const char* name, const seeds& low, const seeds& high) {
-    const auto early = [](const seeds& s) {
-      return mean_of(each(s, [](const run& r) { return mean_between(stress_curve(r), 0.05, 0.3); }));
-    };
     const auto bridges = [&](const char* part, const char* key) {
       const measured m = mean_of(each(low, [&](const run& r) { return r.number(part, key); }));
       return number("%.2f", m.mean, m.error);
     };
     t.add({name, bridges("sample", "bridges_per_grain_start"), bridges("end", "bridges_per_grain"),
-           in_pascal(difference(early(low), early(dry))), in_pascal(difference(residual(low), residual(dry))),
-           cohesion(locus_of({low, high}).over_plane)});
+           over_dry(low, 0.05, 0.3), over_dry(low, 1, 2), cohesion(locus_of({low, high}).over_plane)});
   };
   row("all", full, sheared(folder, "0.01", "800"));
   row("half", half, runs_of(folder / "thinned" / "t2_s800"));
@@ -211,7 +217,7 @@ std::string grain_size(const fs::path& folder) {
     const auto line = locus_of(wet).over_plane;
     const double diameter = wet.front().front().number("sample", "mean_diameter_m");
     t.add({number("%.3f", 1e3 * diameter), angle(locus_of(at("0")).over_plane), cohesion(line),
-           number("%.3f", line.cohesion * diameter, line.cohesion_error * diameter)});
+           number("%.3f", line.cohesion.mean * diameter, line.cohesion.error * diameter)});
   }
   return t.text();
 }
@@ -219,12 +225,12 @@ std::string grain_size(const fs::path& folder) {
 std::string own_friction(const fs::path& folder, const fs::path& figures) {
   const fs::path own = folder / "own_friction";
   const seeds dry = runs_of(own / "shear_w0_s300"), wet = runs_of(own / "shear_w0.01_s300");
-  auto p = shear_plot("Eq. 12 at 1e-6 s against the tangential spring, 300 Pa, means of three seeds");
+  auto p = shear_plot("Eq. 12 at 1e-6 s against the tangential spring, 300 Pa, means of " + std::to_string(wet.size()) +
+                      " seeds");
   add(p, "w = 1 %, Eq. 12", mean_curve(wet), 0);
   add(p, "w = 1 %, spring", mean_curve(sheared(folder, "0.01", "300")), 0, curve_style::dashed);
   add(p, "dry, Eq. 12", mean_curve(dry), 1);
   add(p, "dry, spring", mean_curve(sheared(folder, "0", "300")), 1, curve_style::dashed);
-  p.x_range = {{0, 1.6}};
   pendular::io::draw(p, figures / "fig05_own_friction.png");
   const auto line = locus_of({wet, runs_of(own / "shear_w0.01_s800")}).over_plane;
   table t({"friction of Eq. 12, γ_t = 1 N s/m", "peak (Pa)", "residual (Pa)", "cohesion over plane stress (Pa)"});

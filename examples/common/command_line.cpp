@@ -74,8 +74,9 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_option("--skin", o.skin, "of the neighbour list over the smallest radius; results do not depend on it")
       ->check(CLI::Range(0.001, 9.9));
   app.add_flag_callback(
-      "--paper", [&o] { o.take_from_paper(); },
-      "as the paper and its companion have it: Eq. 12, 1e-6 s, mass as it is");
+         "--paper", [&o] { o.take_from_paper(); },
+         "as the paper and its companion have it: Eq. 12, 1e-6 s, mass as it is; what is said besides counts")
+      ->trigger_on_parse();
   app.callback([&o, usual = o.protocol] {
     if (o.law != "richefeu" && (o.friction != "coulomb-spring" || o.protocol != usual)) {
       throw CLI::ValidationError("--law " + o.law, "is built with --friction coulomb-spring and --protocol " + usual +

@@ -4,10 +4,13 @@
 #include <pendular/io/progress.hpp>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -27,7 +30,7 @@ restart read_checkpoint(const job_options& o, const std::string& physics) {
   restart from(std::in_place, o.output / checkpoint_name);
   if (const auto label = from->get<std::string>("scene.label"); label != physics) {
     throw std::runtime_error("the checkpoint in " + o.output.string() + " was written with other options (" + label +
-                             "): resume with the same ones");
+                             "): resume with the same ones, or remove it");
   }
   return from;
 }
@@ -52,6 +55,16 @@ class stage_bar {
 };
 
 }  // namespace
+
+std::string label_of(const std::filesystem::path& file) {
+  if (file.empty()) return "none";
+  std::ifstream in(file, std::ios::binary);
+  std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+  for (std::istreambuf_iterator<char> c(in), end; c != end; ++c) {
+    hash = (hash ^ static_cast<unsigned char>(*c)) * 1099511628211U;
+  }
+  return std::to_string(hash);
+}
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 

@@ -35,6 +35,9 @@ double seconds();
 double processor_seconds();
 int thread_count();
 
+/// What identifies a file to start from: its content, wherever it lies; "none" for no file.
+std::string label_of(const std::filesystem::path& file);
+
 /// Calls `work` with the checkpoint and with a monitor that shows progress and writes checkpoints into the folder of the
 /// job. `physics` is everything that decides the results, kept in the checkpoint and compared on resume. An error
 /// becomes one line on the standard error. Answers the exit code.

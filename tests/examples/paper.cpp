@@ -20,16 +20,20 @@ namespace fs = std::filesystem;
 
 /// A job that ended, as far as its readers look.
 void write_job(const fs::path& folder, const std::string& options, double stress, double time,
-               const std::vector<double>& curve = {}) {
+               const std::vector<double>& curve = {}, double plane = 500) {
   fs::create_directories(folder);
   std::ofstream(folder / "summary.json")
       << R"({"options": ")" << options << R"(", "strength": {"residual_shear_stress_Pa": )" << stress
-      << R"(, "peak_stress_Pa": )" << stress << R"(, "normal_stress_Pa": 300, "plane_stress_Pa": )" << 2 * stress
-      << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5]},)"
+      << R"(, "peak_stress_Pa": )" << stress << R"(, "normal_stress_Pa": )" << plane - 200 << R"(, "plane_stress_Pa": )"
+      << plane << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5]},)"
       << R"("cost": {"processor_s_per_step": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
   std::ofstream table(folder / "shear_curve.csv");
   table << "displacement_over_mean_diameter,shear_stress_Pa\n";
   for (std::size_t k = 0; k < curve.size(); ++k) table << 0.5 * static_cast<double>(k) << ',' << curve[k] << '\n';
+}
+
+std::string options_of(const std::string& step, int seed) {
+  return "duration 1 time-step " + step + " seed " + std::to_string(seed);
 }
 
 }  // namespace
@@ -89,17 +93,41 @@ TEST_CASE("means over seeds have standard errors") {
   CHECK(m.error == within(1e-12, std::sqrt(14.0 / 3 / 4)));
   CHECK(std::isnan(paper::mean_of({1}).error));
   CHECK(std::isnan(paper::mean_of({}).mean));
-  const auto r = paper::ratio({10, 1}, {5, 1});
-  CHECK(r.mean == 2);
-  CHECK(r.error == within(1e-12, 2 * std::hypot(0.1, 0.2)));
-  CHECK(paper::difference({10, 3}, {5, 4}).error == 5);
 }
 
-TEST_CASE("a locus has a point for every run") {
+TEST_CASE("a locus has the mean of the lines of its seeds") {
   const scratch::folder folder;
-  for (const int k : {1, 2, 3}) write_job(folder / ("s/seed" + std::to_string(k)), "seed 1", 100 * k, 1);
-  std::vector<paper::seeds> all{paper::runs_of(folder / "s")};
-  CHECK_THROWS(paper::locus_of(all));  // one lid stress only
+  // over the plane: seed 1 has cohesion 50 and tangent 0.5, seed 2 70 and 0.5; seed 3 lacks a stress
+  for (const int seed : {1, 2, 3}) {
+    for (const double plane : {400.0, 800.0}) {
+      if (seed == 3 && plane > 500) continue;
+      const auto where = folder / ("s" + std::to_string(static_cast<int>(plane))) / ("seed" + std::to_string(seed));
+      write_job(where, "seed " + std::to_string(seed), 30 + 20 * seed + 0.5 * plane, 1, {}, plane);
+    }
+  }
+  const std::vector<paper::seeds> all{paper::runs_of(folder / "s400"), paper::runs_of(folder / "s800")};
+  const auto l = paper::locus_of(all);
+  CHECK(l.over_plane.cohesion.mean == within(1e-12, 60));
+  CHECK(l.over_plane.cohesion.error == within(1e-9, 10));
+  CHECK(l.over_plane.tan_friction.mean == within(1e-12, 0.5));
+  CHECK(l.over_plane.angle.mean == within(1e-12, 26.565051177077990));
+  CHECK(l.over_lid.cohesion.mean == within(1e-12, 160));  // the lid has 200 Pa less
+  CHECK(l.plane.size() == 4);
+  CHECK(l.bridges.mean == 6);
+  CHECK_THROWS(paper::locus_of({all[0]}));
+}
+
+TEST_CASE("runs are compared with those of their seed") {
+  const scratch::folder folder;
+  for (const int seed : {1, 2, 3}) {
+    const auto name = "seed" + std::to_string(seed), options = "seed " + std::to_string(seed);
+    write_job(folder / "a" / name, options, 10 * seed, 1);
+    if (seed != 2) write_job(folder / "b" / name, options, seed, 1);
+  }
+  const auto stress = [](const paper::run& r) { return r.number("strength", "peak_stress_Pa"); };
+  const auto found = paper::by_seed(paper::runs_of(folder / "a"), paper::runs_of(folder / "b"),
+                                    [&](const paper::run& a, const paper::run& b) { return stress(a) - stress(b); });
+  CHECK(found == std::vector<double>{9, 27});
 }
 
 TEST_CASE("a study compares by seed with its finest setting") {
@@ -107,16 +135,17 @@ TEST_CASE("a study compares by seed with its finest setting") {
   const auto shear = folder / "shear", compression = folder / "compression";
   for (const int seed : {1, 2}) {
     const auto name = "seed" + std::to_string(seed);
-    const auto options = [&](const char* step) {
-      return std::string("duration 1 time-step ") + step + " seed " + std::to_string(seed);
-    };
+    const auto options = [&](const char* step) { return options_of(step, seed); };
     write_job(shear / "reference/reference" / name, options("4e-6"), 100 + 10 * seed, 2);
     write_job(compression / "reference/reference" / name, options("4e-6"), 1, 1);
     write_job(shear / "time_step/1e-6" / name, options("9.9999999999999995e-07"), 90 + 11 * seed, 2);
     write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 1.75);
   }
+  write_job(shear / "skin/0.05/seed1", options_of("4e-6", 1), 110, 3);
   const auto studies = paper::convergence::read(fs::path(shear).parent_path());
-  REQUIRE(studies.size() == 1);
+  REQUIRE(studies.size() == 2);
+  CHECK(studies[1].points[0].value == "0.05");  // not among the options that decide results
+  CHECK(studies[1].points[0].time == 1.5);
   const auto& points = studies[0].points;
   REQUIRE(points.size() == 3);
   CHECK(points[0].stress.mean == 106.5);

@@ -36,6 +36,8 @@ TEST_CASE("two points have no error, fewer no line", "[observe]") {
   const std::array x{300.0, 600.0}, y{200.0, 350.0};
   CHECK(coulomb_fit(x, y).cohesion == within(1e-12, 50.0));
   CHECK(std::isnan(coulomb_fit(x, y).cohesion_error));
+  const std::array odd{0.1, 0.7}, thirds{1.0 / 3, 2.0 / 7};  // their line misses them by round-off
+  CHECK(std::isnan(coulomb_fit(odd, thirds).cohesion_error));
   const std::vector<double> one{1.0}, same{3.0, 3.0}, two{1.0, 2.0};
   CHECK_THROWS_AS(coulomb_fit(one, one), pendular::input_error);
   CHECK_THROWS_AS(coulomb_fit(two, one), pendular::input_error);

@@ -23,21 +23,21 @@ struct constant_velocity {
 };
 
 /// A plane lid pressed into the grains by a constant stress: a free mass along the normal, with a dashpot so that it
-/// does not bounce. The stress is that of the load alone; the lid has no weight. It can slide along its plane at a given
-/// velocity.
+/// does not bounce. The stress is that of the load alone; the lid has no weight. It can slide along its plane: of
+/// `sliding` the part along the plane counts.
 struct servo_stress {
   double stress;             // Pa
   double area;               // m2
   double mass;               // of the lid, kg
   double damping;            // N s/m
   vector velocity{0, 0, 0};  // m/s
-  vector sliding{0, 0, 0};   // its part along the plane, m/s
+  vector sliding{0, 0, 0};   // m/s
 
   void move(plane& wall, const vector& force, double time_step) {
     const double inward = dot(velocity, wall.normal);
     const double push = dot(force, wall.normal) + stress * area;  // force is what the grains do to the wall
     const double next = (inward + time_step / mass * push) / (1.0 + time_step * damping / mass);
-    velocity = next * wall.normal + sliding;
+    velocity = next * wall.normal + (sliding - dot(sliding, wall.normal) * wall.normal);
     wall.point += time_step * velocity;
   }
 };

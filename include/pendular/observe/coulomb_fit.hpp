@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace pendular::observe {
@@ -40,7 +41,8 @@ inline coulomb_line coulomb_fit(std::span<const double> normal_stress, std::span
   coulomb_line line;
   line.tan_friction = ((x - mean) * y).sum() / spread;
   line.cohesion = y.mean() - line.tan_friction * mean;
-  line.scatter = std::sqrt((y - line.cohesion - line.tan_friction * x).square().sum() / (n - 2));
+  const double squares = (y - line.cohesion - line.tan_friction * x).square().sum();
+  line.scatter = n > 2 ? std::sqrt(squares / (n - 2)) : std::numeric_limits<double>::quiet_NaN();
   line.tan_friction_error = line.scatter / std::sqrt(spread);
   line.cohesion_error = line.scatter * std::sqrt(1 / n + mean * mean / spread);
   return line;

@@ -55,6 +55,8 @@ inline void validate(const shear_parameters& p) {
   expects_positive("the sample interval (m)", p.sample_interval, page);
   expects(p.displacement < p.cell_radius, "the displacement of the upper half (m)", p.displacement,
           "less than the radius of the cell", page);
+  expects(p.duration() >= p.time_step, "the displacement over the speed (s)", p.duration(), "at least one time step",
+          page);
   expects(p.solid_fraction > 0 && p.solid_fraction < 0.74, "the solid fraction", p.solid_fraction, "in (0, 0.74)",
           page);
   expects(p.water_content >= 0 && p.water_content < 1, "the water content w", p.water_content, "in [0, 1)", page);
@@ -124,8 +126,8 @@ class direct_shear {
     stage_ = in.get<std::string>("scene.stage");
     done_ = in.get<std::int64_t>("scene.done");
     if (stage_ != "consolidate") roughen();
-    load(in, result_);
     io::load(in, system_);
+    load(in, result_);
   }
 
   /// Called at the start of the shear and after every line of the curve.
@@ -175,6 +177,7 @@ class direct_shear {
     sample.split_height = 0.5 * lid().shape.point.z;
     for (auto* half : {&lower_half(), &upper_half()}) half->shape.point.z = sample.split_height;
     roughen();
+    system_.expect_limits();
     begin("rest");
   }
 

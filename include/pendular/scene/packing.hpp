@@ -57,11 +57,12 @@ struct sealed_packing {
   std::vector<grain> grains;
   double height = 0;  // of the lid, or of the highest grain where there is none, m
   double solid_fraction = 0;
-  double solid_mass = 0;  // kg
+  double solid_mass = 0;       // kg
+  double cylinder_radius = 0;  // m
 };
 
 inline void save(io::checkpoint_writer& out, const sealed_packing& p) {
-  std::vector<double> numbers{p.height, p.solid_fraction, p.solid_mass};
+  std::vector<double> numbers{p.height, p.solid_fraction, p.solid_mass, p.cylinder_radius};
   for (const grain& g : p.grains) {
     numbers.insert(numbers.end(), {g.position.x, g.position.y, g.position.z, g.radius, g.density});
   }
@@ -77,18 +78,26 @@ inline void write(const sealed_packing& p, const std::filesystem::path& file) {
 /// Errors: std::runtime_error if the file holds no packing.
 inline sealed_packing load_packing(const io::checkpoint_reader& in) {
   const auto numbers = in.get<std::vector<double>>("packing.numbers");
-  sealed_packing p{{}, numbers.at(0), numbers.at(1), numbers.at(2)};
-  for (std::size_t k = 3; k + 4 < numbers.size(); k += 5) {
+  sealed_packing p{{}, numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3)};
+  for (std::size_t k = 4; k + 4 < numbers.size(); k += 5) {
     p.grains.push_back({{numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]});
   }
   return p;
 }
 
-/// The same of a packing that must have so many grains. Errors: input_error too.
-inline sealed_packing load_packing(const io::checkpoint_reader& in, std::int64_t grains, std::string_view page) {
+/// The same of a packing that must have the grains and the cylinder of the parameters. Errors: input_error too.
+inline sealed_packing load_packing(const io::checkpoint_reader& in, const packing_parameters& wanted) {
+  constexpr auto page = "docs/reference/scenes.md";
   sealed_packing p = load_packing(in);
-  expects(static_cast<std::int64_t>(p.grains.size()) == grains, "the number of grains in the packing",
-          static_cast<double>(p.grains.size()), "that of --grains", page);
+  const auto count = static_cast<double>(p.grains.size());
+  const auto expect = [&](const char* what, double value, double bound, double tolerance) {
+    expects(std::abs(value - bound) <= tolerance * bound, what, value, std::to_string(bound), page);
+  };
+  expect("the number of grains in the packing", count, static_cast<double>(wanted.grains), 0);
+  expect("the radius of the packing's cylinder (mm)", 1e3 * p.cylinder_radius, 1e3 * wanted.cylinder_radius, 1e-9);
+  double sum = 0;
+  for (const grain& g : p.grains) sum += 2 * g.radius;
+  expect("the mean diameter in the packing (mm)", 1e3 * sum / count, 1e3 * mean_diameter(wanted.sizes), 0.02);
   return p;
 }
 
@@ -164,7 +173,7 @@ class packing {
   }
 
   sealed_packing sealed(double height) const {
-    sealed_packing p{{}, height, 0, 0};
+    sealed_packing p{{}, height, 0, 0, parameters_.cylinder_radius};
     const auto& g = system_.particles();
     for (const std::size_t row : g.rows_by_id()) {
       p.grains.push_back(g[row]);

@@ -15,8 +15,7 @@ namespace pendular::scene {
 struct shear_stresses {
   double shear;  // horizontal force that drives the upper half and the lid
   double lid;    // vertical, on the lid
-  double
-      plane;  // vertical, on the plane between the halves: all that floor and lower half bear less what lies below it
+  double plane;  // vertical, between the halves: all that floor and lower half bear less the weight below
 };
 
 /// A line of the shear curve.

@@ -42,6 +42,7 @@ inline void validate(const compression_parameters& p) {
   expects_positive("the speed of the lid (m/s)", p.lid_speed, page);
   expects(p.relaxation >= 0 && std::isfinite(p.relaxation), "the duration of the relaxation (s)", p.relaxation,
           "at least 0 and finite", page);
+  expects(p.duration >= p.time_step, "the duration of the compression (s)", p.duration, "at least one time step", page);
   expects(p.water_content >= 0 && p.water_content < 1, "the water content w", p.water_content, "in [0, 1)", page);
 }
 
@@ -90,8 +91,8 @@ class simple_compression {
   void resume(const io::checkpoint_reader& in) {
     compressing_ = in.get<std::string>("scene.stage") == "compress";
     done_ = in.get<std::int64_t>("scene.done");
-    load(in, result_);
     io::load(in, system_);
+    load(in, result_);
   }
 
   /// Called at the end of the relaxation and after every line of the curve.

@@ -4,7 +4,7 @@
 set(folder "${PROJECT_BINARY_DIR}/paper")
 set(results)
 # Settings whose error is stated in docs/explanation/convergence.md.
-set(shear_usual --time-step 1.6e-5 --mass-scaling 16 --displacement 3.3e-3 --residual-from 1)
+set(shear_usual --time-step 1.4e-5 --mass-scaling 16 --displacement 3.3e-3 --residual-from 1)
 set(compression_usual --time-step 1.6e-5 --mass-scaling 16 --duration 0.8)
 set(quiet --no-pictures --snapshots 0)
 set(own_friction --friction viscous-coulomb --time-step 1e-6 --mass-scaling 1)
@@ -64,7 +64,7 @@ foreach(water 0.02 0.04 0.06)
            ${quiet})
 endforeach()
 # Cohesion over grain size, in samples of 2000: stiffness, step and displacement go with the size
-foreach(scale_stiffness_step_displacement 0.5:1250:8e-6:1.65e-3 1:2500:1.6e-5:3.3e-3 2:5000:3.2e-5:6.6e-3)
+foreach(scale_stiffness_step_displacement 0.5:1250:7e-6:1.65e-3 1:2500:1.4e-5:3.3e-3 2:5000:2.8e-5:6.6e-3)
   string(REPLACE ":" ";" parts ${scale_stiffness_step_displacement})
   list(GET parts 0 scale)
   list(GET parts 1 stiffness)

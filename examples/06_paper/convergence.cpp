@@ -141,7 +141,7 @@ std::string table_of(const std::vector<study>& studies, const std::string& test)
     for (const point& p : s.points) {
       const bool best = &p == &s.points.front();
       text.add({best ? s.title : "", tidy(p.value), number("%.1f", p.stress.mean, p.stress.error),
-                best ? "finest" : number("%+.1f", 100 * p.change.mean) + number(" ± %.1f", 100 * p.change.error),
+                best ? "finest" : number("%+.1f", 100 * p.change.mean) + " ± " + number("%.1f", 100 * p.change.error),
                 number("%.2f", p.time), number("%.0e", p.worst_book)});
     }
   }

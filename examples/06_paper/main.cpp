@@ -15,19 +15,20 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
 namespace fs = std::filesystem;
-using tables = std::map<std::string, std::string>;  // by the marker in the page
+using tables = std::vector<std::pair<std::string, std::string>>;  // with the markers in the page
 
 /// Clears `complete` where a part is left out because its jobs have not ended.
 tables of_paper(const fs::path& folder, const fs::path& figures, bool& complete) {
   namespace shear = paper::shear;
   namespace compression = paper::compression;
-  const std::map<std::string, std::function<std::string()>> parts{
+  const std::vector<std::pair<std::string, std::function<std::string()>>> parts{
       {"fig. 5", [&] { return shear::stress_curves(folder, figures); }},
       {"fig. 6", [&] { return shear::yield_loci(folder, figures); }},
       {"fig. 7", [&] { return shear::bonds(folder, figures); }},
@@ -40,7 +41,7 @@ tables of_paper(const fs::path& folder, const fs::path& figures, bool& complete)
   tables found;
   for (const auto& [name, part] : parts) {
     try {
-      found[name] = part();
+      found.emplace_back(name, part());
     } catch (const std::exception& error) {
       std::cerr << "06_paper: " << name << " is left out: " << error.what() << '\n';
       complete = false;
@@ -54,11 +55,11 @@ tables of_convergence(const fs::path& folder, const fs::path& figures) {
   tables found;
   const auto studies = convergence::read(folder);
   for (const std::string test : {"shear", "compression"}) {
-    found[test] = convergence::table_of(studies, test);
+    found.emplace_back(test, convergence::table_of(studies, test));
     convergence::draw(studies, test, figures / ("convergence_" + test + ".png"));
   }
   const auto rates = convergence::read_rates(folder);
-  found["rates"] = convergence::table_of(rates);
+  found.emplace_back("rates", convergence::table_of(rates));
   convergence::draw(rates, figures / "rates.png");
   return found;
 }

@@ -39,8 +39,9 @@ void describe(CLI::App& app, job_options& o) {
   app.add_flag("!--no-pictures", o.pictures, "leave out plots and pictures");
 }
 
-void describe(CLI::App& app, wet_options& o) {
-  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+namespace {
+
+void describe_liquid(CLI::App& app, wet_options& o) {
   app.add_option("--water-content", o.water_content, "w, mass of water over mass of grains")
       ->check(CLI::Range(0.0, 0.5))
       ->capture_default_str();
@@ -50,6 +51,15 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_option("--law", o.law, "capillary law; others than the paper's need the usual protocol and friction")
       ->check(CLI::IsMember({"richefeu", "richefeu-harmonic", "willett", "laplace-young"}))
       ->capture_default_str();
+  app.add_option("--thinning", o.thinning, "keep one bond in so many at the same water content")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  app.add_option("--kappa", o.surface_tension_force, "2 pi gamma_s cos(theta), N/m")
+      ->check(positive)
+      ->capture_default_str();
+}
+
+void describe_contacts(CLI::App& app, wet_options& o) {
   app.add_option("--friction", o.friction, "friction law; the paper has viscous-coulomb")
       ->check(CLI::IsMember({"coulomb-spring", "viscous-coulomb", "viscous-coulomb-explicit"}))
       ->capture_default_str();
@@ -59,12 +69,9 @@ void describe(CLI::App& app, wet_options& o) {
   app.add_option("--stiffness", o.stiffness, "k_n, N/m; a tangential spring has 0.8 of it")
       ->check(positive)
       ->capture_default_str();
-  app.add_option("--thinning", o.thinning, "keep one bond in so many at the same water content")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->capture_default_str();
-  app.add_option("--kappa", o.surface_tension_force, "2 pi gamma_s cos(theta), N/m")
-      ->check(positive)
-      ->capture_default_str();
+}
+
+void describe_steps(CLI::App& app, wet_options& o) {
   app.add_option("--time-step", o.time_step, "of the test, s; the paper has 1e-6, with --mass-scaling 1")
       ->check(positive)
       ->capture_default_str();
@@ -77,16 +84,28 @@ void describe(CLI::App& app, wet_options& o) {
          "--paper", [&o] { o.take_from_paper(); },
          "as the paper and its companion have it: Eq. 12, 1e-6 s, mass as it is; what is said besides counts")
       ->trigger_on_parse();
-  app.callback([&o, usual = o.protocol] {
-    if (o.law != "richefeu" && (o.friction != "coulomb-spring" || o.protocol != usual)) {
-      throw CLI::ValidationError("--law " + o.law, "is built with --friction coulomb-spring and --protocol " + usual +
-                                                       " only, not with " + o.friction + " and " + o.protocol);
-    }
-    if (o.friction == "viscous-coulomb-explicit" && o.protocol != usual) {
-      throw CLI::ValidationError("--friction " + o.friction,
-                                 "is built with --protocol " + usual + " only, not with " + o.protocol);
-    }
-  });
+}
+
+/// What is not built is refused.
+void expect_built(const wet_options& o, const std::string& usual) {
+  if (o.law != "richefeu" && (o.friction != "coulomb-spring" || o.protocol != usual)) {
+    throw CLI::ValidationError("--law " + o.law, "is built with --friction coulomb-spring and --protocol " + usual +
+                                                     " only, not with " + o.friction + " and " + o.protocol);
+  }
+  if (o.friction == "viscous-coulomb-explicit" && o.protocol != usual) {
+    throw CLI::ValidationError("--friction " + o.friction,
+                               "is built with --protocol " + usual + " only, not with " + o.protocol);
+  }
+}
+
+}  // namespace
+
+void describe(CLI::App& app, wet_options& o) {
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  describe_liquid(app, o);
+  describe_contacts(app, o);
+  describe_steps(app, o);
+  app.callback([&o, usual = o.protocol] { expect_built(o, usual); });
 }
 
 void parse(CLI::App& app, const std::string& program, int count, char** arguments) {

@@ -68,6 +68,11 @@ std::string label_of(const std::filesystem::path& file) {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+namespace {
+const double start = seconds();
+}
+double seconds_since_start() { return seconds() - start; }
+
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 int thread_count() {

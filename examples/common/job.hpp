@@ -31,6 +31,8 @@ using restart = std::optional<pendular::io::checkpoint_reader>;
 
 /// Seconds of a clock that never goes back.
 double seconds();
+/// Since the program started.
+double seconds_since_start();
 /// Seconds of work of all threads of this program.
 double processor_seconds();
 int thread_count();

@@ -34,7 +34,7 @@ class observed {
 
   /// All of this program, which may have gone on from a checkpoint. A line of the curve takes so many seconds.
   void put(run_facts& f, std::size_t lines, double seconds_per_line, double time_step) const {
-    f.wall_time = seconds() - began_;
+    f.wall_time = seconds_since_start();
     f.test_time = seconds() - test_began_;
     f.test_processor_time = processor_seconds() - work_began_;
     f.test_steps = static_cast<std::int64_t>(lines - lines_before_) *
@@ -46,7 +46,7 @@ class observed {
   double interval_;
   std::size_t lines_before_;
   int shots_ = 0;
-  double began_ = seconds(), test_began_ = began_, work_began_ = processor_seconds();
+  double test_began_ = seconds(), work_began_ = processor_seconds();
 };
 
 }  // namespace examples

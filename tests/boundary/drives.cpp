@@ -108,6 +108,17 @@ TEST_CASE("servos without meaning are refused where the wall is built") {
   CHECK_THROWS_AS((wall{lid, servo_stress{nan, 1, 1, 1}}), input_error);
 }
 
+TEST_CASE("a lid slides along its plane, whatever part of the speed it is told points out of it") {
+  boundary::plane lid{{0, 0, 1}, {0, 0, -1}};
+  boundary::servo_stress servo{0, 1, 1, 0};
+  servo.sliding = {0.2, 0, 1e-3};
+  for (int k = 0; k < 1000; ++k) servo.move(lid, {0, 0, 0}, 1e-3);
+  CHECK(servo.velocity.x == within(1e-12, 0.2));
+  CHECK(servo.velocity.z == near(1e-12, 0.0));  // nothing presses
+  CHECK(lid.point.x == within(1e-12, 0.2));
+  CHECK(lid.point.z == within(1e-12, 1.0));
+}
+
 TEST_CASE("a wall pushes the grains that overlap it, and they push back with the same force") {
   using floor = wall<plane>;
   using stiff = material<normal::linear, friction::coulomb_spring>;

@@ -124,7 +124,24 @@ TEST_CASE("a sealed packing is read as it was written") {
   io::checkpoint_writer out(folder / "packing");
   scene::save(out, packed());
   out.commit();
-  CHECK((numbers_of(scene::load_packing(io::checkpoint_reader(folder / "packing"))) == numbers_of(packed())));
+  const io::checkpoint_reader in(folder / "packing");
+  CHECK((numbers_of(scene::load_packing(in)) == numbers_of(packed())));
+  CHECK((numbers_of(scene::load_packing(in, small_packing())) == numbers_of(packed())));
+  CHECK(packed().cylinder_radius == small_packing().cylinder_radius);
+}
+
+TEST_CASE("a packing of other grains or of another cylinder than wanted is refused") {
+  const scratch::folder folder;
+  scene::write(packed(), folder / "packing");
+  const io::checkpoint_reader in(folder / "packing");
+  const auto refused = [&](auto change) {
+    auto p = small_packing();
+    change(p);
+    CHECK_THROWS_AS(scene::load_packing(in, p), input_error);
+  };
+  refused([](auto& p) { p.grains += 1; });
+  refused([](auto& p) { p.cylinder_radius *= 2; });
+  refused([](auto& p) { p.sizes = scene::shear_grading(); });
 }
 
 TEMPLATE_TEST_CASE("a small compression runs through its stages and resumes from each with the same bits", "",

@@ -59,8 +59,7 @@ measured peak(const seeds& s) {
 
 std::string in_pascal(const measured& m) { return number("%.0f", m.mean, m.error); }
 
-std::string cohesion(const mean_line& l) { return in_pascal(l.cohesion); }
-std::string angle(const mean_line& l) { return number("%.1f", l.angle.mean, l.angle.error); }
+std::string in_degrees(const measured& m) { return number("%.1f", m.mean, m.error); }
 
 /// Isotropic stress of capillary forces at contact in a packing whose sizes are not correlated, per neighbour by bridge:
 /// Rumpf's for several sizes, solid fraction kappa <R^3/2> <R^1/2> / (4 pi <R^3>), Pa.
@@ -78,31 +77,25 @@ double capillary_pressure_per_bridge(double solid_fraction, double kappa) {
 /// What the bridges would give as cohesion if all of them pulled with f_0: tan(phi) times their pressure.
 std::string expected_cohesion(const locus& l, const run& any) {
   const double kappa = any.numeric_option("kappa"), fraction = any.number("sample", "solid_fraction");
-  return number("%.0f",
-                l.over_plane.tan_friction.mean * l.bridges.mean * capillary_pressure_per_bridge(fraction, kappa));
+  return number("%.0f", l.tan_friction().mean * l.bridges.mean * capillary_pressure_per_bridge(fraction, kappa));
 }
 
 void draw_loci(const std::vector<locus>& loci, const fs::path& file) {
   pendular::io::plot p;
   p.title = "Yield loci in direct shear, all seeds, mean of their lines (Fig. 6a)";
-  p.x_label = "normal stress on the plane between the halves (Pa)";
+  p.x_label = "normal stress of the lid (Pa)";
   p.y_label = "residual shear stress (Pa)";
-  p.x_range = {{0, 1100}};
-  p.y_range = {{0, 1000}};
+  p.x_range = {{0, 900}};
+  p.y_range = {{0, 900}};
   for (std::size_t k = 0; k < loci.size(); ++k) {
-    const auto& line = loci[k].over_plane;
+    const double cohesion = loci[k].intercept().mean, tangent = loci[k].tan_friction().mean;
     p.curves.push_back({"w = " + number("%g", 100 * std::stod(waters[k])) + " %",
-                        loci[k].plane,
+                        loci[k].lid,
                         loci[k].shear,
                         curve_style::points,
                         k,
                         {}});
-    p.curves.push_back({"",
-                        {0, 1100},
-                        {line.cohesion.mean, line.cohesion.mean + 1100 * line.tan_friction.mean},
-                        curve_style::lines,
-                        k,
-                        {}});
+    p.curves.push_back({"", {0, 900}, {cohesion, cohesion + 900 * tangent}, curve_style::lines, k, {}});
   }
   pendular::io::draw(p, file);
 }
@@ -113,14 +106,16 @@ void draw_cohesion(const std::vector<locus>& loci, const fs::path& file) {
   p.x_label = "water content (%)";
   p.y_label = "cohesion (Pa)";
   p.x_range = {{-0.05, 2.1}};
-  pendular::io::curve lid{"over the stress of the lid", {}, {}, curve_style::linespoints, {}, {}};
-  pendular::io::curve plane{"over the stress on the plane", {}, {}, curve_style::linespoints, {}, {}};
+  pendular::io::curve line{
+      "intercept of the line less that of the dry sample", {}, {}, curve_style::linespoints, {}, {}};
+  pendular::io::curve stress{"shear stress less that of the dry sample", {}, {}, curve_style::linespoints, {}, {}};
   for (std::size_t k = 0; k < loci.size(); ++k) {
-    for (auto* c : {&lid, &plane}) c->x.push_back(100 * std::stod(waters[k]));
-    lid.y.push_back(loci[k].over_lid.cohesion.mean), lid.error.push_back(loci[k].over_lid.cohesion.error);
-    plane.y.push_back(loci[k].over_plane.cohesion.mean), plane.error.push_back(loci[k].over_plane.cohesion.error);
+    for (auto* c : {&line, &stress}) c->x.push_back(100 * std::stod(waters[k]));
+    const measured intercept = added_intercept(loci[k], loci[0]), shear = added_shear_stress(loci[k], loci[0]);
+    line.y.push_back(intercept.mean), line.error.push_back(intercept.error);
+    stress.y.push_back(shear.mean), stress.error.push_back(shear.error);
   }
-  p.curves = {lid, plane};
+  p.curves = {line, stress};
   p.curves.push_back({"paper, simulation", {0.1, 2}, {paper_cohesion, paper_cohesion}, curve_style::dashed, {}, {}});
   p.curves.push_back(
       {"paper, experiment", {1, 2}, {experiment_cohesion, experiment_cohesion}, curve_style::dashed, {}, {}});
@@ -154,16 +149,18 @@ std::string stress_curves(const fs::path& folder, const fs::path& figures) {
 
 std::string yield_loci(const fs::path& folder, const fs::path& figures) {
   std::vector<locus> loci;
-  table t({"w (%)", "bridges per grain", "cohesion over lid stress (Pa)", "angle (degrees)",
-           "cohesion over plane stress (Pa)", "angle (degrees)", "Rumpf (Pa)",
-           "at the peak: cohesion over plane stress (Pa)", "angle (degrees)"});
+  table t({"w (%)", "bridges per grain", "intercept (Pa)", "angle (degrees)", "angle over plane stress (degrees)",
+           "intercept less dry (Pa)", "shear stress less dry (Pa)", "Rumpf (Pa)", "at the peak: less dry (Pa)"});
+  const locus dry_peak = locus_of(all_stresses(folder, "0"), "peak_shear_stress_Pa");
   for (const char* water : waters) {
     const auto all = all_stresses(folder, water);
-    const locus l = locus_of(all), top = locus_of(all, "peak_shear_stress_Pa");
-    t.add({number("%g", 100 * std::stod(water)), number("%.2f", l.bridges.mean, l.bridges.error), cohesion(l.over_lid),
-           angle(l.over_lid), cohesion(l.over_plane), angle(l.over_plane), expected_cohesion(l, all.front().front()),
-           cohesion(top.over_plane), angle(top.over_plane)});
-    loci.push_back(l);
+    loci.push_back(locus_of(all));
+    const locus &l = loci.back(), &dry = loci.front();
+    t.add({number("%g", 100 * std::stod(water)), number("%.2f", l.bridges.mean, l.bridges.error),
+           in_pascal(l.intercept()), in_degrees(l.lid_angle()), in_degrees(l.plane_angle()),
+           in_pascal(added_intercept(l, dry)), in_pascal(added_shear_stress(l, dry)),
+           expected_cohesion(l, all.front().front()),
+           in_pascal(added_shear_stress(locus_of(all, "peak_shear_stress_Pa"), dry_peak))});
   }
   draw_loci(loci, figures / "fig06a_yield_loci.png");
   draw_cohesion(loci, figures / "fig06b_cohesion.png");
@@ -184,7 +181,8 @@ std::string bonds(const fs::path& folder, const fs::path& figures) {
   pendular::io::draw(p, figures / "fig07_inset.png");
 
   table t({"bonds kept", "bridges per grain, start", "end", "over dry at 0.05 to 0.3 diameters (Pa)",
-           "over dry at 1 to 2 diameters (Pa)", "cohesion from 300 and 800 Pa (Pa)"});
+           "over dry at 1 to 2 diameters (Pa)", "the same, mean of 300 and 800 Pa (Pa)"});
+  const locus dry_locus = locus_of({dry, sheared(folder, "0", "800")});
   const auto over_dry = [&](const seeds& low, double from, double to) {
     return in_pascal(mean_of(by_seed(low, dry, [&](const run& wet, const run& dry_one) {
       return mean_between(stress_curve(wet), from, to) - mean_between(stress_curve(dry_one), from, to);
@@ -196,7 +194,8 @@ std::string bonds(const fs::path& folder, const fs::path& figures) {
       return number("%.2f", m.mean, m.error);
     };
     t.add({name, bridges("sample", "bridges_per_grain_start"), bridges("end", "bridges_per_grain"),
-           over_dry(low, 0.05, 0.3), over_dry(low, 1, 2), cohesion(locus_of({low, high}).over_plane)});
+           over_dry(low, 0.05, 0.3), over_dry(low, 1, 2),
+           in_pascal(added_shear_stress(locus_of({low, high}), dry_locus))});
   };
   row("all", full, sheared(folder, "0.01", "800"));
   row("half", half, runs_of(folder / "thinned" / "t2_s800"));
@@ -205,7 +204,8 @@ std::string bonds(const fs::path& folder, const fs::path& figures) {
 }
 
 std::string grain_size(const fs::path& folder) {
-  table t({"mean diameter (mm)", "dry angle (degrees)", "cohesion at w = 1 % (Pa)", "cohesion times diameter (N/m)"});
+  table t({"mean diameter (mm)", "angle, dry (degrees)", "wet", "shear stress less dry, w = 1 % (Pa)",
+           "times the diameter (N/m)"});
   for (const char* scale : {"0.5", "1", "2"}) {
     const auto at = [&](const char* water) {
       const auto runs = [&](const char* stress) {
@@ -213,11 +213,12 @@ std::string grain_size(const fs::path& folder) {
       };
       return std::vector<seeds>{runs("300"), runs("800")};
     };
-    const auto wet = at("0.01");
-    const auto line = locus_of(wet).over_plane;
-    const double diameter = wet.front().front().number("sample", "mean_diameter_m");
-    t.add({number("%.3f", 1e3 * diameter), angle(locus_of(at("0")).over_plane), cohesion(line),
-           number("%.3f", line.cohesion.mean * diameter, line.cohesion.error * diameter)});
+    const auto wet_runs = at("0.01");
+    const locus wet = locus_of(wet_runs), dry = locus_of(at("0"));
+    const measured cohesion = added_shear_stress(wet, dry);
+    const double diameter = wet_runs.front().front().number("sample", "mean_diameter_m");
+    t.add({number("%.3f", 1e3 * diameter), in_degrees(dry.lid_angle()), in_degrees(wet.lid_angle()),
+           in_pascal(cohesion), number("%.3f", cohesion.mean * diameter, cohesion.error * diameter)});
   }
   return t.text();
 }
@@ -232,10 +233,14 @@ std::string own_friction(const fs::path& folder, const fs::path& figures) {
   add(p, "dry, Eq. 12", mean_curve(dry), 1);
   add(p, "dry, spring", mean_curve(sheared(folder, "0", "300")), 1, curve_style::dashed);
   pendular::io::draw(p, figures / "fig05_own_friction.png");
-  const auto line = locus_of({wet, runs_of(own / "shear_w0.01_s800")}).over_plane;
-  table t({"friction of Eq. 12, γ_t = 1 N s/m", "peak (Pa)", "residual (Pa)", "cohesion over plane stress (Pa)"});
-  t.add({"dry, 300 Pa", in_pascal(peak(dry)), in_pascal(residual(dry)), "-"});
-  t.add({"w = 1 %, 300 Pa", in_pascal(peak(wet)), in_pascal(residual(wet)), cohesion(line)});
+  const locus line = locus_of({wet, runs_of(own / "shear_w0.01_s800")});
+  const measured cohesion = mean_of(by_seed(wet, dry, [](const run& a, const run& b) {
+    return a.number("strength", "residual_shear_stress_Pa") - b.number("strength", "residual_shear_stress_Pa");
+  }));
+  table t({"friction of Eq. 12, γ_t = 1 N s/m", "peak (Pa)", "residual (Pa)", "less dry (Pa)", "angle (degrees)"});
+  t.add({"dry, 300 Pa", in_pascal(peak(dry)), in_pascal(residual(dry)), "-", "-"});
+  t.add({"w = 1 %, 300 Pa", in_pascal(peak(wet)), in_pascal(residual(wet)), in_pascal(cohesion),
+         in_degrees(line.lid_angle())});
   return t.text();
 }
 

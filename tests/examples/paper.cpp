@@ -107,13 +107,24 @@ TEST_CASE("a locus has the mean of the lines of its seeds") {
   }
   const std::vector<paper::seeds> all{paper::runs_of(folder / "s400"), paper::runs_of(folder / "s800")};
   const auto l = paper::locus_of(all);
-  CHECK(l.over_plane.cohesion.mean == within(1e-12, 60));
-  CHECK(l.over_plane.cohesion.error == within(1e-9, 10));
-  CHECK(l.over_plane.tan_friction.mean == within(1e-12, 0.5));
-  CHECK(l.over_plane.angle.mean == within(1e-12, 26.565051177077990));
-  CHECK(l.over_lid.cohesion.mean == within(1e-12, 160));  // the lid has 200 Pa less
-  CHECK(l.plane.size() == 4);
+  CHECK(l.intercept().mean == within(1e-12, 160));  // the lid has 200 Pa less
+  CHECK(l.intercept().error == within(1e-9, 10));
+  CHECK(l.tan_friction().mean == within(1e-12, 0.5));
+  CHECK(l.lid_angle().mean == within(1e-12, 26.565051177077990));
+  CHECK(l.plane_angle().mean == within(1e-12, 26.565051177077990));
+  REQUIRE(l.lines.size() == 2);
+  CHECK(l.lines[1].over_plane.cohesion == within(1e-12, 70));
+  CHECK(l.lines[1].mean_shear == within(1e-12, 370));
+  CHECK(l.lid.size() == 4);
   CHECK(l.bridges.mean == 6);
+  auto dry = l;
+  dry.lines[0].over_lid.cohesion -= 100, dry.lines[1].over_lid.cohesion -= 120;
+  dry.lines[0].mean_shear -= 50, dry.lines[1].mean_shear -= 70;
+  CHECK(paper::added_intercept(l, dry).mean == within(1e-12, 110));
+  CHECK(paper::added_shear_stress(l, dry).mean == within(1e-12, 60));
+  CHECK(paper::added_shear_stress(l, dry).error == within(1e-12, 10));
+  dry.lines[0].seed = "7";
+  CHECK(paper::added_shear_stress(l, dry).mean == within(1e-12, 70));
   CHECK_THROWS(paper::locus_of({all[0]}));
 }
 

@@ -82,9 +82,10 @@ foreach(skin 0.05 0.2 0.5)
   study(compression skin ${skin} 1 --skin ${skin} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
+study(shear dry dry 8 --water-content 0)
 foreach(law richefeu-harmonic willett laplace-young)
-  study(shear law ${law} 4 --law ${law})
-  study(compression law ${law} 4 --law ${law} --time-step 4e-6 --mass-scaling 1)
+  study(shear law ${law} 8 --law ${law})
+  study(compression law ${law} 8 --law ${law} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
 # Eq. 12: in time steps, then in gamma_t and speed

@@ -17,7 +17,7 @@ namespace {
 
 using examples::markdown::number;
 
-enum class finest { smallest, largest, last_law };
+enum class finest { smallest, largest };
 
 /// What is varied: an option of the jobs.
 struct series {
@@ -36,7 +36,6 @@ constexpr std::array all_series{
     series{"stiffness", "k_n (N/m)", "stiffness", finest::largest, false},
     series{"grains", "grains", "grains", finest::largest, true},
     series{"skin", "list skin over smallest radius", "skin", finest::largest, false},
-    series{"law", "capillary law", "law", finest::last_law, true},
     series{"viscous_time_step", "time step with Eq. 12 (s)", "time-step", finest::smallest, false}};
 
 double stress_of(const run& r, const std::string& test) {
@@ -83,14 +82,8 @@ point point_of(const setting& of, const seeds& best, const std::string& test) {
 }
 
 bool finer(const series& kind, const setting& a, const setting& b) {
-  switch (kind.best) {
-  case finest::smallest:
-    return std::stod(a.first) < std::stod(b.first);
-  case finest::largest:
-    return std::stod(a.first) > std::stod(b.first);
-  default:
-    return a.first == "laplace-young" && b.first != "laplace-young";
-  }
+  const double value_a = std::stod(a.first), value_b = std::stod(b.first);
+  return kind.best == finest::smallest ? value_a < value_b : value_a > value_b;
 }
 
 study study_of(const series& kind, const std::filesystem::path& folder, const seeds& reference,
@@ -121,14 +114,12 @@ std::string tidy(const std::string& value) {
 
 }  // namespace
 
-std::vector<study> read(const std::filesystem::path& folder) {
+std::vector<study> read(const std::filesystem::path& folder, const std::string& test) {
   std::vector<study> found;
-  for (const std::string test : {"shear", "compression"}) {
-    const seeds reference = runs_of(folder / test / "reference" / "reference");
-    for (const series& kind : all_series) {
-      study s = study_of(kind, folder / test, reference, test);
-      if (!s.points.empty()) found.push_back(std::move(s));
-    }
+  const seeds reference = runs_of(folder / test / "reference" / "reference");
+  for (const series& kind : all_series) {
+    study s = study_of(kind, folder / test, reference, test);
+    if (!s.points.empty()) found.push_back(std::move(s));
   }
   return found;
 }
@@ -164,6 +155,28 @@ void draw(const std::vector<study>& studies, const std::string& test, const std:
     p.curves.push_back(c);
   }
   pendular::io::draw(p, file);
+}
+
+std::string table_of_laws(const std::filesystem::path& folder) {
+  const auto runs = [&](const std::string& test, const std::string& law) {
+    return runs_of(folder / test / (law == "richefeu" ? "reference/reference" : "law/" + law));
+  };
+  const seeds dry = runs_of(folder / "shear" / "dry" / "dry");
+  examples::markdown::table text({"capillary law", "peak stress in compression (Pa)", "over Laplace-Young (%)",
+                                  "residual shear stress less dry (Pa)", "processor time over richefeu's"});
+  for (const char* law : {"richefeu", "richefeu-harmonic", "willett", "laplace-young"}) {
+    const seeds compressed = runs("compression", law), sheared = runs("shear", law);
+    const measured peak = mean_of(each(compressed, [](const run&r) { return stress_of(r, "compression"); })),
+                   change = change_from(runs("compression", "laplace-young"), compressed, "compression"),
+                   added = mean_of(by_seed(sheared, dry, [](const run&wet, const run&without) {
+                     return stress_of(wet, "shear") - stress_of(without, "shear");
+                   }));
+    text.add({std::string("`") + law + "`", number("%.0f", peak.mean, peak.error),
+              number("%+.1f", 100 * change.mean) + " ± " + number("%.1f", 100 * change.error),
+              number("%.0f", added.mean, added.error),
+              number("%.2f", time_of(compressed) / time_of(runs("compression", "richefeu")))});
+  }
+  return text.text();
 }
 
 std::vector<rate_point> read_rates(const std::filesystem::path& folder) {

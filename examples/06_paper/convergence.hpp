@@ -28,10 +28,13 @@ struct study {
 };
 
 /// Those whose jobs have come to their end. Errors: std::runtime_error if the reference has not.
-std::vector<study> read(const std::filesystem::path& folder);
+std::vector<study> read(const std::filesystem::path& folder, const std::string& test);
 
 std::string table_of(const std::vector<study>& studies, const std::string& test);
 void draw(const std::vector<study>& studies, const std::string& test, const std::filesystem::path& file);
+
+/// Every capillary law: strength, what it adds to the dry shear stress, and what it costs.
+std::string table_of_laws(const std::filesystem::path& folder);
 
 /// Strength under Eq. 12 for every gamma_t and speed.
 struct rate_point {

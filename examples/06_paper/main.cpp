@@ -24,22 +24,45 @@ namespace {
 namespace fs = std::filesystem;
 using tables = std::vector<std::pair<std::string, std::string>>;  // with the markers in the page
 
-/// Clears `complete` where a part is left out because its jobs have not ended.
-tables of_paper(const fs::path& folder, const fs::path& figures, bool& complete) {
+using parts = std::vector<std::pair<std::string, std::function<std::string()>>>;
+
+parts of_paper(const fs::path& folder, const fs::path& figures) {
   namespace shear = paper::shear;
   namespace compression = paper::compression;
-  const std::vector<std::pair<std::string, std::function<std::string()>>> parts{
-      {"fig. 5", [&] { return shear::stress_curves(folder, figures); }},
-      {"fig. 6", [&] { return shear::yield_loci(folder, figures); }},
-      {"fig. 7", [&] { return shear::bonds(folder, figures); }},
-      {"grain size", [&] { return shear::grain_size(folder); }},
-      {"own friction", [&] { return shear::own_friction(folder, figures); }},
-      {"fig. 10", [&] { return compression::stress_curves(folder, figures); }},
-      {"fig. 11", [&] { return compression::still_zone(folder, figures); }},
-      {"fig. 12", [&] { return compression::strengths(folder, figures); }},
-      {"relaxation", [&] { return compression::relaxation(folder); }}};
+  return {{"fig. 5", [=] { return shear::stress_curves(folder, figures); }},
+          {"fig. 6", [=] { return shear::yield_loci(folder, figures); }},
+          {"fig. 7", [=] { return shear::bonds(folder, figures); }},
+          {"grain size", [=] { return shear::grain_size(folder); }},
+          {"own friction", [=] { return shear::own_friction(folder, figures); }},
+          {"fig. 10", [=] { return compression::stress_curves(folder, figures); }},
+          {"fig. 11", [=] { return compression::still_zone(folder, figures); }},
+          {"fig. 12", [=] { return compression::strengths(folder, figures); }},
+          {"relaxation", [=] { return compression::relaxation(folder); }}};
+}
+
+parts of_convergence(const fs::path& folder, const fs::path& figures) {
+  namespace convergence = paper::convergence;
+  parts all;
+  for (const std::string test : {"shear", "compression"}) {
+    all.emplace_back(test, [=] {
+      const auto studies = convergence::read(folder, test);
+      convergence::draw(studies, test, figures / ("convergence_" + test + ".png"));
+      return convergence::table_of(studies, test);
+    });
+  }
+  all.emplace_back("laws", [=] { return convergence::table_of_laws(folder); });
+  all.emplace_back("rates", [=] {
+    const auto rates = convergence::read_rates(folder);
+    convergence::draw(rates, figures / "rates.png");
+    return convergence::table_of(rates);
+  });
+  return all;
+}
+
+/// Clears `complete` where a part is left out because its jobs have not ended.
+tables made(const parts& all, bool& complete) {
   tables found;
-  for (const auto& [name, part] : parts) {
+  for (const auto& [name, part] : all) {
     try {
       found.emplace_back(name, part());
     } catch (const std::exception& error) {
@@ -47,20 +70,6 @@ tables of_paper(const fs::path& folder, const fs::path& figures, bool& complete)
       complete = false;
     }
   }
-  return found;
-}
-
-tables of_convergence(const fs::path& folder, const fs::path& figures) {
-  namespace convergence = paper::convergence;
-  tables found;
-  const auto studies = convergence::read(folder);
-  for (const std::string test : {"shear", "compression"}) {
-    found.emplace_back(test, convergence::table_of(studies, test));
-    convergence::draw(studies, test, figures / ("convergence_" + test + ".png"));
-  }
-  const auto rates = convergence::read_rates(folder);
-  found.emplace_back("rates", convergence::table_of(rates));
-  convergence::draw(rates, figures / "rates.png");
   return found;
 }
 
@@ -90,7 +99,7 @@ int main(int count, char** arguments) {
     const fs::path figures = folder / "figures";
     fs::create_directories(figures);
     bool complete = true;
-    put(what == "paper" ? of_paper(folder, figures, complete) : of_convergence(folder, figures), folder, page);
+    put(made(what == "paper" ? of_paper(folder, figures) : of_convergence(folder, figures), complete), folder, page);
     return complete ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << "06_paper: " << error.what() << '\n';

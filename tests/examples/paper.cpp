@@ -153,7 +153,7 @@ TEST_CASE("a study compares by seed with its finest setting") {
     write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 1.75);
   }
   write_job(shear / "skin/0.05/seed1", options_of("4e-6", 1), 110, 3);
-  const auto studies = paper::convergence::read(fs::path(shear).parent_path());
+  const auto studies = paper::convergence::read(fs::path(shear).parent_path(), "shear");
   REQUIRE(studies.size() == 2);
   CHECK(studies[1].points[0].value == "0.05");  // not among the options that decide results
   CHECK(studies[1].points[0].time == 1.5);

@@ -38,10 +38,11 @@ struct way {
   const char* label;
   const char* group;
   std::string prefix;
+  std::size_t count;  // of the water contents
 };
 const std::array ways{
-    way{"P1, homogeneous", "axial_stress", "w"}, way{"P2, kept on the grains", "protocols", "grain-films_w"},
-    way{"P3, to the lowest contact", "protocols", "gravity_w"}, way{"P1, half the bonds", "half_bonds", "w"}};
+    way{"P1, homogeneous", "axial_stress", "w", 3}, way{"P2, kept on the grains", "protocols", "grain-films_w", 3},
+    way{"P3, to the lowest contact", "protocols", "gravity_w", 3}, way{"P1, half the bonds", "half_bonds", "w", 2}};
 
 }  // namespace
 
@@ -81,10 +82,8 @@ std::string strengths(const fs::path& folder, const fs::path& figures) {
   std::array<seeds, waters.size()> base;
   for (const way& each_way : ways) {
     pendular::io::curve c{each_way.label, {}, {}, curve_style::linespoints, {}, {}};
-    for (std::size_t k = 0; k < waters.size(); ++k) {
-      const fs::path of_case = folder / each_way.group / (each_way.prefix + waters[k]);
-      if (!fs::exists(of_case)) continue;
-      const seeds s = runs_of(of_case);
+    for (std::size_t k = 0; k < each_way.count; ++k) {
+      const seeds s = runs_of(folder / each_way.group / (each_way.prefix + waters[k]));
       const measured found = strength(s), bridges = of(s, "sample", "bridges_per_grain_relaxed");
       if (c.label == ways.front().label) base[k] = s;
       const measured over = mean_of(by_seed(s, base[k], [](const run& a, const run& b) {

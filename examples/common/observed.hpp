@@ -21,14 +21,14 @@ class observed {
   /// `whole` is the length of the test in what it counts, seconds or metres; `way` and `lines` of its curve are done.
   observed(const job_options& o, double whole, double way, std::size_t lines)
       : options_(o), interval_(o.snapshots > 0 ? whole / o.snapshots : 0), lines_before_(lines) {
-    if (lines > 0 && o.snapshots > 0) shots_ = static_cast<int>(std::floor(way / interval_ + 1e-9)) + 1;
+    if (lines > 0 && o.snapshots > 0) shots_ = static_cast<int>(std::floor(way / interval_ + tolerance)) + 1;
   }
 
   void test_begins() { test_began_ = seconds(), work_began_ = processor_seconds(); }
 
   template <class System>
   void look(const System& s, const std::vector<pendular::vector>& reference, double way, double time) {
-    if (options_.snapshots == 0 || way < shots_ * interval_ - 1e-9) return;
+    if (options_.snapshots == 0 || way < (shots_ - tolerance) * interval_) return;
     write_snapshot(options_, take(s, reference, time), shots_++);
   }
 
@@ -42,6 +42,8 @@ class observed {
   }
 
  private:
+  static constexpr double tolerance = 1e-3;  // of an interval: a test ends on a whole step
+
   const job_options& options_;
   double interval_;
   std::size_t lines_before_;

@@ -64,7 +64,7 @@ foreach(water 0.02 0.04 0.06)
            ${quiet})
 endforeach()
 # Cohesion over grain size, in samples of 2000: stiffness, step and displacement go with the size
-foreach(scale_stiffness_step_displacement 0.5:1250:7e-6:1.65e-3 1:2500:1.4e-5:3.3e-3 2:5000:2.8e-5:6.6e-3)
+foreach(scale_stiffness_step_displacement 0.5:1375:6.6e-6:1.65e-3 1:2750:1.32e-5:3.3e-3 2:5500:2.64e-5:6.6e-3)
   string(REPLACE ":" ";" parts ${scale_stiffness_step_displacement})
   list(GET parts 0 scale)
   list(GET parts 1 stiffness)

@@ -43,7 +43,7 @@ class job {
  public:
   job(const options& o, Scene& scene)
       : options_(o), scene_(scene), watch_(o, o.duration, way_of(scene.result()), scene.result().records.size()) {
-    scene.look = [this](const auto& s, const scene::compression_result& r) { look(s, r); };
+    scene.look = [this](const auto& s, const scene::compression_result& r) { this->look(s, r); };
   }
 
   void run(const scene::monitor& watch) {

@@ -23,10 +23,8 @@ int main() {
     return material{normal::linear{2500}, damping::viscous{0.8}, friction::coulomb_spring{2000, coefficient},
                     energy_book{}};
   };
-  const scene::shear_materials materials{.smooth = with_friction(0),
-                                         .grains = with_friction(0.4),
-                                         .halves = with_friction(0),
-                                         .plates = with_friction(0.4)};
+  // before friction comes; between grains; of the two halves; of floor and lid
+  const scene::shear_materials materials{with_friction(0), with_friction(0.4), with_friction(0), with_friction(0.4)};
   scene::shear_parameters test;
   test.cell_radius = sample.cylinder_radius;
   test.time_step = 4e-6;

@@ -70,6 +70,8 @@ struct shear_materials {
   Material halves;  // of the cell
   Material plates;  // floor and lid
 };
+template <class Material>
+shear_materials(const Material&, const Material&, const Material&, const Material&) -> shear_materials<Material>;
 
 /// The test for one composition: liquid between the eligible pairs of a deposited sample, consolidation under the lid
 /// without friction, rest with friction, then the upper half and the lid move at constant speed. `dry{}` in place of the

@@ -51,7 +51,7 @@ foreach(water 0.02 0.04 0.06)
   endforeach()
 endforeach()
 foreach(water 0.02 0.04)
-  campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 ${quiet})
+  campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 --duration 2 ${quiet})
 endforeach()
 campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
 # Eq. 12 at the paper's step

@@ -100,22 +100,26 @@ void draw_loci(const std::vector<locus>& loci, const fs::path& file) {
   pendular::io::draw(p, file);
 }
 
-void draw_cohesion(const std::vector<locus>& loci, const fs::path& file) {
+/// What liquid adds over the water content, the dry locus being the first.
+template <class Added>
+pendular::io::curve cohesion_curve(const std::string& label, const std::vector<locus>& loci, const Added& added) {
+  pendular::io::curve c{label, {}, {}, curve_style::linespoints, {}, {}};
+  for (std::size_t k = 0; k < loci.size(); ++k) {
+    const measured m = added(loci[k], loci.front());
+    c.x.push_back(100 * std::stod(waters[k])), c.y.push_back(m.mean), c.error.push_back(m.error);
+  }
+  return c;
+}
+
+void draw_cohesion(const std::vector<locus>& loci, const std::vector<locus>& peaks, const fs::path& file) {
   pendular::io::plot p;
   p.title = "Coulomb cohesion against water content (Fig. 6b)";
   p.x_label = "water content (%)";
   p.y_label = "cohesion (Pa)";
   p.x_range = {{-0.05, 2.1}};
-  pendular::io::curve line{
-      "intercept of the line less that of the dry sample", {}, {}, curve_style::linespoints, {}, {}};
-  pendular::io::curve stress{"shear stress less that of the dry sample", {}, {}, curve_style::linespoints, {}, {}};
-  for (std::size_t k = 0; k < loci.size(); ++k) {
-    for (auto* c : {&line, &stress}) c->x.push_back(100 * std::stod(waters[k]));
-    const measured intercept = added_intercept(loci[k], loci[0]), shear = added_shear_stress(loci[k], loci[0]);
-    line.y.push_back(intercept.mean), line.error.push_back(intercept.error);
-    stress.y.push_back(shear.mean), stress.error.push_back(shear.error);
-  }
-  p.curves = {line, stress};
+  p.curves = {cohesion_curve("intercept of the line less that of the dry sample", loci, added_intercept),
+              cohesion_curve("shear stress less that of the dry sample", loci, added_shear_stress),
+              cohesion_curve("the same at the peak", peaks, added_shear_stress)};
   p.curves.push_back({"paper, simulation", {0.1, 2}, {paper_cohesion, paper_cohesion}, curve_style::dashed, {}, {}});
   p.curves.push_back(
       {"paper, experiment", {1, 2}, {experiment_cohesion, experiment_cohesion}, curve_style::dashed, {}, {}});
@@ -148,22 +152,21 @@ std::string stress_curves(const fs::path& folder, const fs::path& figures) {
 }
 
 std::string yield_loci(const fs::path& folder, const fs::path& figures) {
-  std::vector<locus> loci;
+  std::vector<locus> loci, peaks;
   table t({"w (%)", "bridges per grain", "intercept (Pa)", "angle (degrees)", "angle over plane stress (degrees)",
            "intercept less dry (Pa)", "shear stress less dry (Pa)", "Rumpf (Pa)", "at the peak: less dry (Pa)"});
-  const locus dry_peak = locus_of(all_stresses(folder, "0"), "peak_shear_stress_Pa");
   for (const char* water : waters) {
     const auto all = all_stresses(folder, water);
     loci.push_back(locus_of(all));
+    peaks.push_back(locus_of(all, "peak_shear_stress_Pa"));
     const locus &l = loci.back(), &dry = loci.front();
     t.add({number("%g", 100 * std::stod(water)), number("%.2f", l.bridges.mean, l.bridges.error),
            in_pascal(l.intercept()), in_degrees(l.lid_angle()), in_degrees(l.plane_angle()),
            in_pascal(added_intercept(l, dry)), in_pascal(added_shear_stress(l, dry)),
-           expected_cohesion(l, all.front().front()),
-           in_pascal(added_shear_stress(locus_of(all, "peak_shear_stress_Pa"), dry_peak))});
+           expected_cohesion(l, all.front().front()), in_pascal(added_shear_stress(peaks.back(), peaks.front()))});
   }
   draw_loci(loci, figures / "fig06a_yield_loci.png");
-  draw_cohesion(loci, figures / "fig06b_cohesion.png");
+  draw_cohesion(loci, peaks, figures / "fig06b_cohesion.png");
   return t.text();
 }
 

@@ -10,11 +10,11 @@ std::vector<double> smoothed(const std::vector<double>& x, const std::vector<dou
 
 struct estimate {
   double mean = 0;
-  double error = 0;  // standard error
+  double error = 0;
 };
 
-/// Mean of y where x is at least `from`. The error is that of the means of ten stretches: neighbouring values are not
-/// independent, stretches nearly so. Not a number if nothing is there.
+/// Mean of y where x is at least `from`, and the standard error that it would have if the means of ten stretches were
+/// independent: a lower bound where the curve has a trend or a long memory. Not a number if nothing is there.
 estimate mean_beyond(const std::vector<double>& x, const std::vector<double>& y, double from);
 
 }  // namespace examples

@@ -4,6 +4,7 @@
 #include "job.hpp"
 
 #include <pendular/core/vec.hpp>
+#include <pendular/observe/normal_force.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <array>
@@ -31,8 +32,7 @@ std::vector<double> take_liquid(const System& s, snapshot& shot) {
     for (std::size_t p = 0; p < view.pairs; ++p) {
       if (!s.bridges().is_bonded(p)) continue;
       shot.bonds.push_back({view.id[view.grain_i(p)], view.id[view.grain_j(p)]});
-      const pendular::vector branch = view.position[view.grain_j(p)] - view.position[view.grain_i(p)];
-      shot.bond_force.push_back(-dot(s.contacts().force(p), branch) / norm(branch));
+      shot.bond_force.push_back(pendular::observe::normal_force(s, view, p));
       shot.bond_volume.push_back(book.bonds()[p]);
       shot.bond_gap.push_back(view.gap(p));
       liquid[view.grain_i(p)] += 0.5 * book.bonds()[p];

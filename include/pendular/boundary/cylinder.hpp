@@ -22,12 +22,17 @@ struct cylinder {
   }
 };
 
-inline void validate(const cylinder& c) {
+namespace detail {
+template <class Round>
+void validate_round(const Round& c) {
   constexpr auto page = "docs/reference/boundary.md";
   const double length = norm(c.direction);
   expects(std::abs(length - 1) < 1e-9, "the length of a cylinder's direction", length, "1", page);
   expects(c.radius > 0 && std::isfinite(c.radius), "the radius of a cylinder (m)", c.radius, "positive and finite",
           page);
 }
+}  // namespace detail
+
+inline void validate(const cylinder& c) { detail::validate_round(c); }
 
 }  // namespace pendular::boundary

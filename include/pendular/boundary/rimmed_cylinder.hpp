@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/boundary/plane.hpp>
+#include <pendular/boundary/cylinder.hpp>
 
 namespace pendular::boundary {
 
@@ -28,12 +28,6 @@ struct rimmed_cylinder {
   }
 };
 
-inline void validate(const rimmed_cylinder& c) {
-  constexpr auto page = "docs/reference/boundary.md";
-  const double length = norm(c.direction);
-  expects(std::abs(length - 1) < 1e-9, "the length of a cylinder's direction", length, "1", page);
-  expects(c.radius > 0 && std::isfinite(c.radius), "the radius of a cylinder (m)", c.radius, "positive and finite",
-          page);
-}
+inline void validate(const rimmed_cylinder& c) { detail::validate_round(c); }
 
 }  // namespace pendular::boundary

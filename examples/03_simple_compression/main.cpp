@@ -3,19 +3,22 @@
 #include "options.hpp"
 #include "run.hpp"
 
+#include <map>
+#include <string>
+
 namespace {
-void run(const options& o, const examples::restart& from, const pendular::scene::monitor& watch) {
-  if (o.law == "willett") return run_with_willett(o, from, watch);
-  if (o.law == "laplace-young") return run_with_laplace_young(o, from, watch);
-  if (o.law == "richefeu-harmonic") return run_with_richefeu_harmonic(o, from, watch);
-  if (o.friction == "viscous-coulomb") return run_with_viscous_coulomb(o, from, watch);
-  if (o.friction == "viscous-coulomb-explicit") return run_with_viscous_coulomb_explicit(o, from, watch);
-  run_with_coulomb_spring(o, from, watch);
-}
+const std::map<std::string, decltype(&run_with_coulomb_spring)> compositions{
+    {"coulomb-spring", run_with_coulomb_spring},
+    {"viscous-coulomb", run_with_viscous_coulomb},
+    {"viscous-coulomb-explicit", run_with_viscous_coulomb_explicit},
+    {"richefeu-harmonic", run_with_richefeu_harmonic},
+    {"willett", run_with_willett},
+    {"laplace-young", run_with_laplace_young}};
 }  // namespace
 
 int main(int count, char** arguments) {
   const options o = read_options(count, arguments);
-  return examples::run_job("03_simple_compression", o, o.physics(),
-                           [&](const auto& from, const auto& watch) { run(o, from, watch); });
+  return examples::run_job("03_simple_compression", o, o.physics(), [&](const auto& from, const auto& watch) {
+    compositions.at(o.composition())(o, from, watch);
+  });
 }

@@ -2,8 +2,12 @@
 #include "options.hpp"
 
 #include "../common/command_line.hpp"
+#include "../common/departures.hpp"
 
+#include <cmath>
 #include <sstream>
+
+double options::cylinder_radius() const { return 12.5e-3 * std::cbrt(static_cast<double>(grains) / 8000.0); }
 
 namespace {
 
@@ -38,20 +42,15 @@ std::string options::physics() const {
 }
 
 std::vector<std::string> options::departures() const {
-  std::vector<std::string> list = departures_of(*this);
+  examples::departures list(departures_of(*this));
   const options usual;
-  const auto add = [&](bool differs, const auto&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    if (differs) list.push_back(text.str());
-  };
-  add(grains != usual.grains, "grains: ", grains, " in a smaller cylinder; the paper has 8000 in 25 mm");
-  add(wall_speed != usual.wall_speed, "wall speed: ", wall_speed, " m/s; the paper has 1 mm/s");
-  add(duration != usual.duration, "duration: ", duration, " s; the paper has 2 s");
-  add(relaxation == 0, "relaxation: none before the wall moves");
-  add(preparation_friction != 0, "preparation: friction ", preparation_friction,
-      " between grains; the paper does not say");
-  return list;
+  list.add(grains != usual.grains, "grains: ", grains, " in a smaller cylinder; the paper has 8000 in 25 mm");
+  list.add(wall_speed != usual.wall_speed, "wall speed: ", wall_speed, " m/s; the paper has 1 mm/s");
+  list.add(duration != usual.duration, "duration: ", duration, " s; the paper has 2 s");
+  list.add(relaxation == 0, "relaxation: none before the wall moves");
+  list.add(preparation_friction != 0, "preparation: friction ", preparation_friction,
+           " between grains; the paper does not say");
+  return list.lines();
 }
 
 options read_options(int count, char** arguments) {

@@ -20,6 +20,8 @@ struct options : examples::job_options, examples::wet_options {
 
   options() { output = "simple_compression"; }
 
+  double cylinder_radius() const;  // m
+
   /// Everything that decides the results, in one line: kept in the checkpoint and compared on resume.
   std::string physics() const;
   /// What differs from the paper, a line each.

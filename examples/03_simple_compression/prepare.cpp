@@ -3,8 +3,6 @@
 
 #include <pendular/law/friction/coulomb_spring.hpp>
 
-#include <cmath>
-
 namespace {
 
 using namespace pendular;
@@ -12,7 +10,7 @@ using namespace pendular;
 scene::packing_parameters parameters(const options& o) {
   scene::packing_parameters p;
   p.grains = o.grains;
-  p.cylinder_radius *= std::cbrt(static_cast<double>(o.grains) / 8000.0);
+  p.cylinder_radius = o.cylinder_radius();
   p.time_step = o.preparation_time_step();  // grains weigh what they weigh while the sample is made
   p.seed = o.seed;
   p.numerics.force = o.force;

@@ -18,13 +18,8 @@ namespace test {
 
 using namespace pendular;
 
-inline double sample_area(const options& o) {
-  const double radius = 12.5e-3 * std::cbrt(static_cast<double>(o.grains) / 8000.0);
-  return std::numbers::pi * radius * radius;
-}
-
 inline scene::compression_parameters parameters(const options& o) {
-  scene::compression_parameters p{sample_area(o)};
+  scene::compression_parameters p{std::numbers::pi * o.cylinder_radius() * o.cylinder_radius()};
   p.water_content = o.water_content;
   p.lid_speed = o.wall_speed;
   p.duration = o.duration;
@@ -86,16 +81,7 @@ template <class Material, class Liquid>
 void run(const options& o, const Material& m, const Liquid& l, const examples::restart& from,
          const scene::monitor& watch) {
   scene::simple_compression<Material, Liquid> scene(parameters(o), m, l);
-  const auto stage = from ? from->template get<std::string>("scene.stage") : "deposit";
-  if (stage != "deposit" && stage != "seal") {
-    if (o.packing_only) return;  // it is there
-    scene.resume(*from);
-  } else {
-    const scene::sealed_packing packing = prepare(o, from, watch);
-    if (o.packing_only) return;
-    scene.start(packing);
-  }
-  job(o, scene).run(watch);
+  if (examples::begin(scene, o, from, [&] { return prepare(o, from, watch); })) job(o, scene).run(watch);
 }
 
 template <class Friction, class Law, class Rupture>

@@ -2,6 +2,7 @@
 #include "options.hpp"
 
 #include "../common/command_line.hpp"
+#include "../common/departures.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -72,20 +73,15 @@ std::string options::physics() const {
 }
 
 std::vector<std::string> options::departures() const {
-  std::vector<std::string> list = departures_of(*this);
+  examples::departures list(departures_of(*this));
   const options usual;
-  const auto add = [&](bool differs, const auto&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    if (differs) list.push_back(text.str());
-  };
-  add(grains != usual.grains, "grains: ", grains, " in a cell of their size; the paper has 7307 in 46 mm");
-  add(scale != 1, "scale: grains and cell ", scale, " times the paper's");
-  add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
-  add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
-  add(true, "open in the paper, chosen here: speed ", shear_speed, " m/s, friction of the halves ", wall_friction,
-      ", of floor and lid ", plate_friction);
-  return list;
+  list.add(grains != usual.grains, "grains: ", grains, " in a cell of their size; the paper has 7307 in 46 mm");
+  list.add(scale != 1, "scale: grains and cell ", scale, " times the paper's");
+  list.add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
+  list.add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
+  list.add(true, "open in the paper, chosen here: speed ", shear_speed, " m/s, friction of the halves ", wall_friction,
+           ", of floor and lid ", plate_friction);
+  return list.lines();
 }
 
 options read_options(int count, char** arguments) {

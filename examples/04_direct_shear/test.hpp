@@ -97,15 +97,7 @@ template <class Friction, class Liquid>
 void run(const options& o, const Friction& friction, const Liquid& l, const examples::restart& from,
          const scene::monitor& watch) {
   scene::direct_shear scene(parameters(o), materials(o, friction), l);
-  if (from && from->template get<std::string>("scene.stage") != "deposit") {
-    if (o.packing_only) return;  // it is there
-    scene.resume(*from);
-  } else {
-    const scene::sealed_packing packing = prepare(o, from, watch);
-    if (o.packing_only) return;
-    scene.start(packing);
-  }
-  job(o, scene).run(watch);
+  if (examples::begin(scene, o, from, [&] { return prepare(o, from, watch); })) job(o, scene).run(watch);
 }
 
 template <class Friction, class Law, class Rupture>

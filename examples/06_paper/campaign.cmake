@@ -9,8 +9,8 @@ set(compression_usual --time-step 1.6e-5 --mass-scaling 16 --duration 0.8)
 set(quiet --no-pictures --snapshots 0)
 set(own_friction --friction viscous-coulomb --time-step 1e-6 --mass-scaling 1)
 
-# campaign(<test> <group> <case> <options>...): a later option overrules an earlier one.
-macro(campaign test group case)
+# pendular_campaign(<test> <group> <case> <options>...): a later option overrules an earlier one.
+macro(pendular_campaign test group case)
   foreach(seed 1 2 3)
     pendular_job(results "${folder}/${group}/${case}/seed${seed}" ${${test}} --seed ${seed}
                  PACKING "${folder}/packings/${test}/seed${seed}" ${${test}_usual} ${ARGN})
@@ -25,42 +25,42 @@ endforeach()
 
 # Fig. 5
 foreach(water 0 0.01)
-  campaign(shear stress_curves w${water} --water-content ${water} --displacement 5e-3 ${quiet})
+  pendular_campaign(shear stress_curves w${water} --water-content ${water} --displacement 5e-3 ${quiet})
 endforeach()
 # Fig. 6
 foreach(water 0 0.0005 0.002 0.01 0.02)
   foreach(stress 300 550 800)
-    campaign(shear yield_loci w${water}_s${stress} --water-content ${water} --normal-stress ${stress} ${quiet})
+    pendular_campaign(shear yield_loci w${water}_s${stress} --water-content ${water} --normal-stress ${stress} ${quiet})
   endforeach()
 endforeach()
 # Fig. 7, and the cohesion over the number of bonds
 foreach(thinning 2 4)
   foreach(stress 300 800)
-    campaign(shear thinned t${thinning}_s${stress} --normal-stress ${stress} --thinning ${thinning} ${quiet})
+    pendular_campaign(shear thinned t${thinning}_s${stress} --normal-stress ${stress} --thinning ${thinning} ${quiet})
   endforeach()
 endforeach()
 # Figs. 10, 11
 foreach(water 0.02 0.04 0.06)
-  campaign(compression axial_stress w${water} --water-content ${water} --duration 2 --snapshots 0)
+  pendular_campaign(compression axial_stress w${water} --water-content ${water} --duration 2 --snapshots 0)
 endforeach()
 # Fig. 12
 foreach(water 0.02 0.04 0.06)
   foreach(protocol grain-films gravity)
-    campaign(compression protocols ${protocol}_w${water} --water-content ${water} --protocol ${protocol}
+    pendular_campaign(compression protocols ${protocol}_w${water} --water-content ${water} --protocol ${protocol}
              ${quiet})
   endforeach()
 endforeach()
 foreach(water 0.02 0.04)
-  campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 --duration 2 ${quiet})
+  pendular_campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 --duration 2 ${quiet})
 endforeach()
-campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
+pendular_campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
 # Eq. 12 at the paper's step
-campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_friction} ${quiet})
+pendular_campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_friction} ${quiet})
 foreach(stress 300 800)
-  campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} ${quiet})
+  pendular_campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} ${quiet})
 endforeach()
 foreach(water 0.02 0.04 0.06)
-  campaign(compression own_friction compression_w${water} --water-content ${water} ${own_friction} --duration 0.5
+  pendular_campaign(compression own_friction compression_w${water} --water-content ${water} ${own_friction} --duration 0.5
            ${quiet})
 endforeach()
 # Cohesion over grain size, in samples of 2000: stiffness, step and displacement go with the size

@@ -12,8 +12,8 @@ foreach(seed RANGE 1 8)
   endforeach()
 endforeach()
 
-# study(<test> <series> <value> <number of seeds> <options>...): on the packings of the reference.
-macro(study test series value seeds)
+# pendular_study(<test> <series> <value> <number of seeds> <options>...): on the packings of the reference.
+macro(pendular_study test series value seeds)
   foreach(seed RANGE 1 ${seeds})
     pendular_job(results "${folder}/${test}/${series}/${value}/seed${seed}" ${${test}} --seed ${seed}
                  PACKING "${folder}/packings/${test}/seed${seed}" ${${test}_usual} ${ARGN})
@@ -21,21 +21,21 @@ macro(study test series value seeds)
 endmacro()
 
 # The same with a packing of its own.
-macro(study_from_scratch test series value seeds)
+macro(pendular_study_from_scratch test series value seeds)
   foreach(seed RANGE 1 ${seeds})
     pendular_job(results "${folder}/${test}/${series}/${value}/seed${seed}" ${${test}} --seed ${seed} ${${test}_usual}
                  ${ARGN})
   endforeach()
 endmacro()
 
-study(shear reference reference 8)
-study(compression reference reference 8 --time-step 4e-6 --mass-scaling 1)
+pendular_study(shear reference reference 8)
+pendular_study(compression reference reference 8 --time-step 4e-6 --mass-scaling 1)
 
 foreach(step 1e-6 2e-6 4e-6)
-  study(shear time_step ${step} 4 --time-step ${step})
+  pendular_study(shear time_step ${step} 4 --time-step ${step})
 endforeach()
 foreach(step 1e-6 2e-6 4.8e-6)
-  study(compression time_step ${step} 4 --time-step ${step} --mass-scaling 1)
+  pendular_study(compression time_step ${step} 4 --time-step ${step} --mass-scaling 1)
 endforeach()
 
 # mass and step together, as sqrt(mass) is the step that stays stable
@@ -44,61 +44,61 @@ foreach(mass_and_steps 4:7e-6:8e-6 16:1.4e-5:1.6e-5 64:2.8e-5:3.2e-5 256:5.6e-5:
   list(GET parts 0 mass)
   list(GET parts 1 shear_step)
   list(GET parts 2 compression_step)
-  study(shear mass_scaling ${mass} 8 --mass-scaling ${mass} --time-step ${shear_step})
-  study(compression mass_scaling ${mass} 8 --mass-scaling ${mass} --time-step ${compression_step})
+  pendular_study(shear mass_scaling ${mass} 8 --mass-scaling ${mass} --time-step ${shear_step})
+  pendular_study(compression mass_scaling ${mass} 8 --mass-scaling ${mass} --time-step ${compression_step})
 endforeach()
 
 foreach(speed 1e-3 2.5e-3 10e-3 20e-3 50e-3)
-  study(shear shear_speed ${speed} 4 --shear-speed ${speed})
+  pendular_study(shear shear_speed ${speed} 4 --shear-speed ${speed})
 endforeach()
 foreach(speed_and_time 0.3e-3:2 3e-3:0.2 10e-3:0.06 30e-3:0.02)
   string(REPLACE ":" ";" pair ${speed_and_time})
   list(GET pair 0 speed)
   list(GET pair 1 time)
-  study(compression wall_speed ${speed} 4 --wall-speed ${speed} --duration ${time} --time-step 4e-6 --mass-scaling 1)
+  pendular_study(compression wall_speed ${speed} 4 --wall-speed ${speed} --duration ${time} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
 foreach(stiffness_and_step 1000:5.5e-6 2500:3.5e-6 10000:1.75e-6 40000:8.75e-7)
   string(REPLACE ":" ";" pair ${stiffness_and_step})
   list(GET pair 0 stiffness)
   list(GET pair 1 step)
-  study_from_scratch(shear stiffness ${stiffness} 4 --stiffness ${stiffness} --time-step ${step})
+  pendular_study_from_scratch(shear stiffness ${stiffness} 4 --stiffness ${stiffness} --time-step ${step})
 endforeach()
 foreach(stiffness_and_step 500:5.6e-6 1000:4e-6 4000:2e-6 16000:1e-6)
   string(REPLACE ":" ";" pair ${stiffness_and_step})
   list(GET pair 0 stiffness)
   list(GET pair 1 step)
-  study_from_scratch(compression stiffness ${stiffness} 4 --stiffness ${stiffness} --time-step ${step}
+  pendular_study_from_scratch(compression stiffness ${stiffness} 4 --stiffness ${stiffness} --time-step ${step}
                      --mass-scaling 1)
 endforeach()
 
 foreach(grains 500 2000 4000)
-  study_from_scratch(shear grains ${grains} 4 --grains ${grains})
-  study_from_scratch(compression grains ${grains} 4 --grains ${grains} --time-step 4e-6 --mass-scaling 1)
+  pendular_study_from_scratch(shear grains ${grains} 4 --grains ${grains})
+  pendular_study_from_scratch(compression grains ${grains} 4 --grains ${grains} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
 foreach(skin 0.05 0.2 0.5)
-  study(shear skin ${skin} 1 --skin ${skin})
-  study(compression skin ${skin} 1 --skin ${skin} --time-step 4e-6 --mass-scaling 1)
+  pendular_study(shear skin ${skin} 1 --skin ${skin})
+  pendular_study(compression skin ${skin} 1 --skin ${skin} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
-study(shear dry dry 8 --water-content 0)
+pendular_study(shear dry dry 8 --water-content 0)
 foreach(law richefeu-harmonic willett laplace-young)
-  study(shear law ${law} 8 --law ${law})
-  study(compression law ${law} 8 --law ${law} --time-step 4e-6 --mass-scaling 1)
+  pendular_study(shear law ${law} 8 --law ${law})
+  pendular_study(compression law ${law} 8 --law ${law} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
 # Eq. 12: in time steps, then in gamma_t and speed
 foreach(step 5e-7 1e-6 2e-6 3.5e-6)
-  study(shear viscous_time_step ${step} 3 --friction viscous-coulomb --time-step ${step})
-  study(compression viscous_time_step ${step} 3 --friction viscous-coulomb --time-step ${step} --mass-scaling 1)
+  pendular_study(shear viscous_time_step ${step} 3 --friction viscous-coulomb --time-step ${step})
+  pendular_study(compression viscous_time_step ${step} 3 --friction viscous-coulomb --time-step ${step} --mass-scaling 1)
 endforeach()
 foreach(viscosity 0.3 1 3 10)
   foreach(speed_and_time 0.3e-3:2 1e-3:0.6 3e-3:0.2 10e-3:0.06)
     string(REPLACE ":" ";" pair ${speed_and_time})
     list(GET pair 0 speed)
     list(GET pair 1 time)
-    study(compression viscosity_and_speed ${viscosity}_${speed} 2 --friction viscous-coulomb --tangential-viscosity
+    pendular_study(compression viscosity_and_speed ${viscosity}_${speed} 2 --friction viscous-coulomb --tangential-viscosity
           ${viscosity} --wall-speed ${speed} --duration ${time} --time-step 1e-6 --mass-scaling 1)
   endforeach()
 endforeach()

@@ -48,7 +48,7 @@ void put_facts(json& s, const run_facts& f) {
   s["network_at_end"] = {{"contacts_per_grain", f.network.neighbours.contacts},
                          {"bridges_per_grain", f.network.neighbours.bridges},
                          {"bridges_across_gaps_per_grain", f.network.neighbours.open_bridges},
-                         {"tensile_per_grain", f.network.neighbours.tensile},
+                         {"tensile_per_grain", f.network.tensile},
                          {"fabric_xx_yy_zz", f.network.fabric},
                          {"mean_compressive_force_N", f.network.mean_compressive},
                          {"mean_tensile_force_N", f.network.mean_tensile}};

@@ -23,6 +23,7 @@ namespace examples {
 /// Pairs and their forces at the end of a test.
 struct network_facts {
   pendular::observe::coordination neighbours;
+  double tensile = 0;                             // neighbours of a grain that attract it
   std::array<double, 3> fabric{};                 // xx, yy, zz of the contacts
   double mean_compressive = 0, mean_tensile = 0;  // forces, N
 };
@@ -32,6 +33,7 @@ network_facts network_of(const System& s) {
   const auto forces = pendular::observe::force_distribution_of(s);
   const auto fabric = pendular::observe::fabric_tensor(s);
   return {pendular::observe::coordination_of(s),
+          pendular::observe::tensile_coordination(s),
           {fabric(0, 0), fabric(1, 1), fabric(2, 2)},
           forces.mean_compressive,
           forces.mean_tensile};

@@ -6,14 +6,29 @@
 #include "snapshot.hpp"
 
 #include <pendular/core/vec.hpp>
+#include <pendular/scene/packing.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace examples {
+
+/// A scene at its start, on the packing that `prepare` makes, or where a checkpoint of it stopped. Answers whether there
+/// is more to do than the packing.
+template <class Scene, class Prepare>
+bool begin(Scene& scene, const job_options& o, const restart& from, const Prepare& prepare) {
+  const auto stage = from ? from->template get<std::string>("scene.stage") : "deposit";
+  const bool prepared = stage != "deposit" && stage != "seal";
+  if (prepared && !o.packing_only) scene.resume(*from);
+  if (prepared) return !o.packing_only;
+  const pendular::scene::sealed_packing packing = prepare();
+  if (!o.packing_only) scene.start(packing);
+  return !o.packing_only;
+}
 
 /// What a job sees of its test while it runs: snapshots at even intervals, time and steps.
 class observed {

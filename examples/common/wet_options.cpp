@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wet_options.hpp"
 
+#include "departures.hpp"
+
 #include <cmath>
 #include <sstream>
 
@@ -25,27 +27,22 @@ std::string physics_of(const wet_options& o) {
 }
 
 std::vector<std::string> departures_of(const wet_options& o) {
-  std::vector<std::string> list;
-  const auto add = [&](bool differs, const auto&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    if (differs) list.push_back(text.str());
-  };
-  add(o.friction == "coulomb-spring",
-      "friction: tangential spring of 0.8 k_n with Coulomb limit; the paper has Eq. 12");
-  add(o.tangential_viscosity != 1 && o.friction != "coulomb-spring", "friction: gamma_t = ", o.tangential_viscosity,
-      " N s/m; the companion paper has 1");
-  add(o.stiffness != 1000, "stiffness: k_n = ", o.stiffness, " N/m; the companion paper has 1000");
-  add(o.friction == "viscous-coulomb", "friction: Eq. 12 in this library's form that is stable at any step");
-  add(o.time_step != 1e-6, "time step: ", o.time_step, " s; the companion paper has 1e-6 s");
-  add(o.mass_scaling != 1, "mass: inertia times ", o.mass_scaling,
-      " in the test, weight as it is; the paper gives no factor");
-  add(o.law != "richefeu" && o.water_content > 0, "capillary law: ", o.law, "; the paper has Eqs. 4-11");
-  add(o.thinning != 1, "bonds: one in ", o.thinning, " kept");
-  add(o.surface_tension_force != 0.4, "kappa: ", o.surface_tension_force, " N/m; the companion paper has 0.4");
-  add(true, "damping: two-sided in contact, sign of Eq. 3 corrected (companion paper)");
-  add(true, "time step rule: 10 % of pi sqrt(m/k) for the paper's \"10 % below\"");
-  return list;
+  departures list;
+  list.add(o.friction == "coulomb-spring",
+           "friction: tangential spring of 0.8 k_n with Coulomb limit; the paper has Eq. 12");
+  list.add(o.tangential_viscosity != 1 && o.friction != "coulomb-spring",
+           "friction: gamma_t = ", o.tangential_viscosity, " N s/m; the companion paper has 1");
+  list.add(o.stiffness != 1000, "stiffness: k_n = ", o.stiffness, " N/m; the companion paper has 1000");
+  list.add(o.friction == "viscous-coulomb", "friction: Eq. 12 in this library's form that is stable at any step");
+  list.add(o.time_step != 1e-6, "time step: ", o.time_step, " s; the companion paper has 1e-6 s");
+  list.add(o.mass_scaling != 1, "mass: inertia times ", o.mass_scaling,
+           " in the test, weight as it is; the paper gives no factor");
+  list.add(o.law != "richefeu" && o.water_content > 0, "capillary law: ", o.law, "; the paper has Eqs. 4-11");
+  list.add(o.thinning != 1, "bonds: one in ", o.thinning, " kept");
+  list.add(o.surface_tension_force != 0.4, "kappa: ", o.surface_tension_force, " N/m; the companion paper has 0.4");
+  list.add(true, "damping: two-sided in contact, sign of Eq. 3 corrected (companion paper)");
+  list.add(true, "time step rule: 10 % of pi sqrt(m/k) for the paper's \"10 % below\"");
+  return list.lines();
 }
 
 }  // namespace examples

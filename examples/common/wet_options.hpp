@@ -27,6 +27,8 @@ struct wet_options {
   /// Eq. 12, the companion paper's time step, mass as it is.
   void take_from_paper();
   double preparation_time_step() const;
+  /// What decides which composition runs: the law, or with the paper's law the friction.
+  const std::string& composition() const { return law == "richefeu" ? friction : law; }
 };
 
 /// All of it in one line.

@@ -25,8 +25,7 @@ bool is_linked(const System& s, std::size_t p, links by) {
 }  // namespace detail
 
 /// Mean of n (x) n over the pairs that are linked, walls not counted; the trace is 1. Zero if there is no such pair.
-/// Source: M. Satake, Fabric tensor in granular materials, in Deformation and Failure of Granular Materials (1982),
-/// p. 63; M. Oda, S. Nemat-Nasser, M. M. Mehrabadi, Int. J. Numer. Anal. Methods Geomech. 6, 77 (1982).
+/// Source: M. Satake, Fabric tensor in granular materials, in Deformation and Failure of Granular Materials (1982).
 template <class System>
 Eigen::Matrix3d fabric_tensor(const System& s, links by = links::contacts) {
   const auto view = s.view();

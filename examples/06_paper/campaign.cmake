@@ -3,7 +3,7 @@
 
 set(folder "${PROJECT_BINARY_DIR}/paper")
 set(results)
-# Settings whose error is stated in docs/explanation/convergence.md.
+# What these settings cost in accuracy: docs/explanation/convergence.md.
 set(shear_usual --time-step 1.4e-5 --mass-scaling 16 --displacement 3.3e-3 --residual-from 1)
 set(compression_usual --time-step 1.6e-5 --mass-scaling 16 --duration 0.8)
 set(quiet --no-pictures --snapshots 0)

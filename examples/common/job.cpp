@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job.hpp"
 
+#include "folder_lock.hpp"
+
 #include <pendular/io/progress.hpp>
 
 #include <chrono>
@@ -89,8 +91,9 @@ int run_job(const std::string& program, const job_options& o, const std::string&
 #ifdef _OPENMP
     if (o.threads > 0) omp_set_num_threads(o.threads);
 #endif
-    const restart from = read_checkpoint(o, physics);
     std::filesystem::create_directories(o.output);
+    const folder_lock alone(o.output);
+    const restart from = read_checkpoint(o, physics);
     stage_bar bar;
     pendular::scene::monitor watch;
     watch.checkpoint = o.output / checkpoint_name;

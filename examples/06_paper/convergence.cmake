@@ -98,7 +98,7 @@ foreach(viscosity 0.3 1 3 10)
     string(REPLACE ":" ";" pair ${speed_and_time})
     list(GET pair 0 speed)
     list(GET pair 1 time)
-    pendular_study(compression viscosity_and_speed ${viscosity}_${speed} 2 --friction viscous-coulomb --tangential-viscosity
+    pendular_study(compression viscosity_and_speed ${viscosity}_${speed} 3 --friction viscous-coulomb --tangential-viscosity
           ${viscosity} --wall-speed ${speed} --duration ${time} --time-step 2e-6 --mass-scaling 1)
   endforeach()
 endforeach()

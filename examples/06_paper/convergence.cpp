@@ -183,7 +183,10 @@ std::vector<rate_point> read_rates(const std::filesystem::path& folder) {
   std::vector<rate_point> found;
   for (const auto& [name, s] : cases(folder / "compression" / "viscosity_and_speed")) {
     found.push_back({s.front().numeric_option("tangential-viscosity"), s.front().numeric_option("wall-speed"),
-                     mean_of(each(s, [](const run& r) { return stress_of(r, "compression"); }))});
+                     mean_of(each(s, [](const run& r) { return stress_of(r, "compression"); })),
+                     mean_of(each(s, [](const run& r) {
+                       return r.number("strength", "last_stress_Pa") / stress_of(r, "compression");
+                     }))});
   }
   std::sort(found.begin(), found.end(), [](const rate_point& a, const rate_point& b) {
     return std::pair(a.viscosity, a.speed) < std::pair(b.viscosity, b.speed);
@@ -192,10 +195,11 @@ std::vector<rate_point> read_rates(const std::filesystem::path& folder) {
 }
 
 std::string table_of(const std::vector<rate_point>& rates) {
-  examples::markdown::table text({"γ_t (N s/m)", "speed (mm/s)", "γ_t times speed (mN)", "largest stress (Pa)"});
+  examples::markdown::table text(
+      {"γ_t (N s/m)", "speed (mm/s)", "γ_t times speed (mN)", "largest stress (Pa)", "of which at the end (%)"});
   for (const rate_point& r : rates) {
     text.add({number("%g", r.viscosity), number("%g", 1e3 * r.speed), number("%.3g", 1e3 * r.viscosity * r.speed),
-              number("%.0f", r.stress.mean, r.stress.error)});
+              number("%.0f", r.stress.mean, r.stress.error), number("%.0f", 100 * r.left.mean, 100 * r.left.error)});
   }
   return text.text();
 }

@@ -36,10 +36,11 @@ void draw(const std::vector<study>& studies, const std::string& test, const std:
 /// Every capillary law: strength, what it adds to the dry shear stress, and what it costs.
 std::string table_of_laws(const std::filesystem::path& folder);
 
-/// Strength under Eq. 12 for every gamma_t and speed.
+/// Strength under Eq. 12 for every gamma_t and speed, and what is left of it at the end of the test.
 struct rate_point {
   double viscosity, speed;  // N s/m, m/s
   measured stress;          // Pa
+  measured left;            // of the strength
 };
 std::vector<rate_point> read_rates(const std::filesystem::path& folder);
 std::string table_of(const std::vector<rate_point>& rates);

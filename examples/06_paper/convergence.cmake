@@ -32,10 +32,10 @@ pendular_study(shear reference reference 8)
 pendular_study(compression reference reference 8 --time-step 4e-6 --mass-scaling 1)
 
 foreach(step 1e-6 2e-6 4e-6)
-  pendular_study(shear time_step ${step} 4 --time-step ${step})
+  pendular_study(shear time_step ${step} 8 --time-step ${step})
 endforeach()
 foreach(step 1e-6 2e-6 4.8e-6)
-  pendular_study(compression time_step ${step} 4 --time-step ${step} --mass-scaling 1)
+  pendular_study(compression time_step ${step} 8 --time-step ${step} --mass-scaling 1)
 endforeach()
 
 # mass and step together, as sqrt(mass) is the step that stays stable

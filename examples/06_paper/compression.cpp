@@ -131,7 +131,7 @@ std::string relaxation(const fs::path& folder) {
            number("%.4f", centre.mean, centre.error), number("%.2f", bridges.mean, bridges.error),
            number("%.1e", unrest.mean)});
   };
-  row("relaxed for 0.1 s", runs_of(folder / "axial_stress" / "w0.02"));
+  row("relaxed for 0.2 s", runs_of(folder / "axial_stress" / "w0.02"));
   row("not relaxed", runs_of(folder / "not_relaxed" / "w0.02"));
   return t.text();
 }

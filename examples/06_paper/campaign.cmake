@@ -23,7 +23,7 @@ foreach(seed 1 2 3)
   endforeach()
 endforeach()
 
-# Eq. 12 at the paper's step; the longest jobs first, the shortest last, so that no core waits at the end
+# Eq. 12 at the paper's step
 pendular_campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_friction} ${quiet})
 foreach(stress 300 800)
   pendular_campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} ${quiet})

@@ -166,11 +166,11 @@ std::string table_of_laws(const std::filesystem::path& folder) {
                                   "residual shear stress less dry (Pa)", "processor time over richefeu's"});
   for (const char* law : {"richefeu", "richefeu-harmonic", "willett", "laplace-young"}) {
     const seeds compressed = runs("compression", law), sheared = runs("shear", law);
-    const measured peak = mean_of(each(compressed, [](const run&r) { return stress_of(r, "compression"); })),
-                   change = change_from(runs("compression", "laplace-young"), compressed, "compression"),
-                   added = mean_of(by_seed(sheared, dry, [](const run&wet, const run&without) {
-                     return stress_of(wet, "shear") - stress_of(without, "shear");
-                   }));
+    const measured peak = mean_of(each(compressed, [](const run& r) { return stress_of(r, "compression"); }));
+    const measured change = change_from(runs("compression", "laplace-young"), compressed, "compression");
+    const measured added = mean_of(by_seed(sheared, dry, [](const run& wet, const run& without) {
+      return stress_of(wet, "shear") - stress_of(without, "shear");
+    }));
     text.add({std::string("`") + law + "`", number("%.0f", peak.mean, peak.error),
               number("%+.1f", 100 * change.mean) + " ± " + number("%.1f", 100 * change.error),
               number("%.0f", added.mean, added.error),

@@ -28,9 +28,15 @@ pendular_campaign(shear own_friction shear_w0_s300 --water-content 0 ${own_frict
 foreach(stress 300 800)
   pendular_campaign(shear own_friction shear_w0.01_s${stress} --normal-stress ${stress} ${own_friction} ${quiet})
 endforeach()
-foreach(water 0.02 0.04 0.06)
+pendular_campaign(compression own_friction compression_w0.02_1e-6 ${own_friction} --relaxation 0.03 --duration 0.4
+                  ${quiet})
+# and at a step at which it gives the same (docs/explanation/convergence.md), to where it is clear what comes of the stress
+foreach(water_and_time 0.02:2 0.04:1 0.06:1)
+  string(REPLACE ":" ";" pair ${water_and_time})
+  list(GET pair 0 water)
+  list(GET pair 1 time)
   pendular_campaign(compression own_friction compression_w${water} --water-content ${water} ${own_friction}
-                    --relaxation 0.03 --duration 0.4 ${quiet})
+                    --time-step 3.5e-6 --relaxation 0.03 --duration ${time} ${quiet})
 endforeach()
 # Fig. 5
 foreach(water 0 0.01)
@@ -63,6 +69,7 @@ foreach(water 0.02 0.04)
   pendular_campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 --duration 2 ${quiet})
 endforeach()
 pendular_campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
+pendular_campaign(compression not_relaxed half_bonds_w0.02 --relaxation 0 --thinning 2 --duration 2 ${quiet})
 # Cohesion over grain size, in samples of 2000: stiffness, step and displacement go with the size
 foreach(scale_stiffness_step_displacement 0.5:1375:6.6e-6:1.65e-3 1:2750:1.32e-5:3.3e-3 2:5500:2.64e-5:6.6e-3)
   string(REPLACE ":" ";" parts ${scale_stiffness_step_displacement})
@@ -71,7 +78,7 @@ foreach(scale_stiffness_step_displacement 0.5:1375:6.6e-6:1.65e-3 1:2750:1.32e-5
   list(GET parts 2 step)
   list(GET parts 3 displacement)
   foreach(water 0 0.01)
-    foreach(stress 300 800)
+    foreach(stress 300 550 800)
       foreach(seed 1 2 3)
         pendular_job(results "${folder}/grain_size/x${scale}_w${water}_s${stress}/seed${seed}" ${shear} --seed ${seed}
                      ${shear_usual} ${quiet} --grains 2000 --scale ${scale} --stiffness ${stiffness} --time-step ${step}

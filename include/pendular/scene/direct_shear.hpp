@@ -50,6 +50,7 @@ inline void validate(const shear_parameters& p) {
   expects_positive("the duration of the rest (s)", p.rest, page);
   expects_positive("the speed of the upper half (m/s)", p.shear_speed, page);
   expects_positive("the displacement of the upper half (m)", p.displacement, page);
+  expects(std::isfinite(p.gravity), "the gravity (m/s2)", p.gravity, "finite", page);
   expects_positive("the time step (s)", p.time_step, page);
   expects_positive("the mass scaling", p.mass_scaling, page);
   expects_positive("the sample interval (m)", p.sample_interval, page);
@@ -109,8 +110,8 @@ class direct_shear {
     const auto keep = [&] { save(watch); };
     if (stage_ == "consolidate") {
       run_stage(
-          system_, stage_, done_, steps(parameters_.consolidation), slice, watch, [&] { return look_at_density(); },
-          keep, [&] { return solid_fraction() >= parameters_.solid_fraction; });
+          system_, stage_, done_, steps(parameters_.consolidation), 1, watch, [&] { return look_at_density(); }, keep,
+          [&] { return solid_fraction() >= parameters_.solid_fraction; });
       add_friction();
     }
     if (stage_ == "rest") {

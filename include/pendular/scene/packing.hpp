@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,10 @@ inline void write(const sealed_packing& p, const std::filesystem::path& file) {
 /// Errors: std::runtime_error if the file holds no packing.
 inline sealed_packing load_packing(const io::checkpoint_reader& in) {
   const auto numbers = in.get<std::vector<double>>("packing.numbers");
+  if (numbers.size() < 4 || (numbers.size() - 4) % 5 != 0) {
+    throw std::runtime_error("packing.numbers has " + std::to_string(numbers.size()) +
+                             " entries, but a packing has 4 and 5 a grain; docs/reference/scenes.md");
+  }
   sealed_packing p{{}, numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3)};
   for (std::size_t k = 4; k + 4 < numbers.size(); k += 5) {
     p.grains.push_back({{numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]});

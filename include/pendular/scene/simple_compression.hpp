@@ -36,6 +36,7 @@ inline void validate(const compression_parameters& p) {
   constexpr auto page = "docs/reference/scenes.md";
   expects_positive("the area of the sample (m2)", p.area, page);
   expects_positive("the duration of the compression (s)", p.duration, page);
+  expects(std::isfinite(p.gravity), "the gravity (m/s2)", p.gravity, "finite", page);
   expects_positive("the time step (s)", p.time_step, page);
   expects_positive("the mass scaling", p.mass_scaling, page);
   expects_positive("the sample interval (s)", p.sample_interval, page);

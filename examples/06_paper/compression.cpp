@@ -25,13 +25,56 @@ measured strength(const seeds& s) {
   return mean_of(each(s, [](const run& r) { return r.number("strength", "peak_stress_Pa"); }));
 }
 
+measured ratio(const seeds& some, const seeds& others) {
+  return mean_of(by_seed(some, others, [](const run& a, const run& b) {
+    return a.number("strength", "peak_stress_Pa") / b.number("strength", "peak_stress_Pa");
+  }));
+}
+
 measured of(const seeds& s, const char* part, const char* name, double unit = 1) {
   return mean_of(each(s, [&](const run& r) { return r.number(part, name) / unit; }));
 }
 
 std::string in_pascal(const measured& m) { return number("%.0f", m.mean, m.error); }
 
+std::string with_hundredth(const measured& m) { return number("%.2f", m.mean, m.error); }
+
 double percent(const char* water) { return 100 * std::stod(water); }
+
+std::string in_percent(const char* water) { return number("%g", percent(water)); }
+
+seeds with_own_friction(const fs::path& folder, const std::string& name) {
+  return three_runs_of(folder / "own_friction" / ("compression_w" + name));
+}
+
+/// The largest stress of the curves; "≥" where a curve still rises at its end.
+std::string summit_in_pascal(const seeds& s) {
+  bool rising = false;
+  const measured found = mean_of(each(s, [&](const run& r) {
+    const summit top = summit_of(stress_curve(r));
+    rising = rising || top.rising;
+    return top.stress;
+  }));
+  return (rising ? "≥ " : "") + in_pascal(found);
+}
+
+std::string place_of_summit(const seeds& s) {
+  return with_hundredth(mean_of(each(
+      s, [](const run& r) { return summit_of(stress_curve(r)).at * r.number("sample", "mean_diameter_m") / 1e-3; })));
+}
+
+/// Eq. 12 at the paper's step and at the longer one of the other runs, where both have values.
+std::string table_of_steps(const fs::path& folder) {
+  table t({"friction, w = 2 %", "time step (s)", "mean stress from 0.1 to 0.3 diameters (Pa)"});
+  const auto row = [&](const char* friction, const char* step, const seeds& s) {
+    t.add({friction, step,
+           in_pascal(mean_of(each(s, [](const run& r) { return mean_between(stress_curve(r), 0.1, 0.3); })))});
+  };
+  row("Eq. 12", "1e-6", with_own_friction(folder, "0.02_1e-6"));
+  row("Eq. 12", "3.5e-6", with_own_friction(folder, "0.02"));
+  row("tangential spring", "3.2e-5, 64 times the mass", three_runs_of(folder / "axial_stress" / "w0.02"));
+  return t.text();
+}
 
 /// A way to share or to thin out the liquid, at several water contents.
 struct way {
@@ -39,6 +82,10 @@ struct way {
   const char* group;
   std::string prefix;
   std::size_t count;  // of the water contents
+
+  seeds runs(const fs::path& folder, std::size_t k) const {
+    return three_runs_of(folder / group / (prefix + waters[k]));
+  }
 };
 const std::array ways{
     way{"P1, homogeneous", "axial_stress", "w", 3}, way{"P2, kept on the grains", "protocols", "grain-films_w", 3},
@@ -48,28 +95,23 @@ const std::array ways{
 
 std::string stress_curves(const fs::path& folder, const fs::path& figures) {
   pendular::io::plot p;
-  p.title = "Axial stress, means of all seeds; dashed: Eq. 12 at 1e-6 s (Fig. 10)";
+  p.title = "Axial stress, means of three seeds; dashed: friction of Eq. 12 (Fig. 10)";
   p.x_label = "shortening over mean diameter";
   p.y_label = "axial stress (Pa)";
-  table t({"w (%)", "strength (Pa)", "at shortening (mm)", "at 2 mm (Pa)", "with Eq. 12 (Pa)", "bridges per grain",
-           "contacts per grain, end"});
+  table t({"w (%)", "strength (Pa)", "at shortening (mm)", "at 2 mm (Pa)", "bridges per grain, start",
+           "contacts per grain, end", "strength with Eq. 12 (Pa)", "at shortening (mm)", "at its end (Pa)"});
   for (std::size_t k = 0; k < waters.size(); ++k) {
-    const seeds s = runs_of(folder / "axial_stress" / ("w" + std::string(waters[k])));
-    const seeds own = runs_of(folder / "own_friction" / ("compression_w" + std::string(waters[k])));
-    const auto add = [&](const std::string& label, const xy& c, curve_style style) {
-      p.curves.push_back({label, c.x, c.y, style, k, {}});
-    };
-    add("w = " + number("%g", percent(waters[k])) + " %", mean_curve(s), curve_style::lines);
-    add("", mean_curve(own), curve_style::dashed);
-    const measured at = of(s, "strength", "shortening_at_peak_m", 1e-3),
-                   bridges = of(s, "sample", "bridges_per_grain_relaxed"),
-                   contacts = of(s, "coordination", "contacts_per_grain");
-    t.add({number("%g", percent(waters[k])), in_pascal(strength(s)), number("%.2f", at.mean, at.error),
-           in_pascal(of(s, "strength", "last_stress_Pa")), in_pascal(strength(own)),
-           number("%.2f", bridges.mean, bridges.error), number("%.2f", contacts.mean, contacts.error)});
+    const seeds s = ways.front().runs(folder, k), own = with_own_friction(folder, waters[k]);
+    const xy curve = mean_curve(s), own_curve = mean_curve(own);
+    p.curves.push_back({"w = " + in_percent(waters[k]) + " %", curve.x, curve.y, curve_style::lines, k, {}});
+    p.curves.push_back({"", own_curve.x, own_curve.y, curve_style::dashed, k, {}});
+    t.add({in_percent(waters[k]), in_pascal(strength(s)), place_of_summit(s),
+           in_pascal(of(s, "strength", "last_stress_Pa")), with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
+           with_hundredth(of(s, "coordination", "contacts_per_grain")), summit_in_pascal(own), place_of_summit(own),
+           in_pascal(of(own, "strength", "last_stress_Pa"))});
   }
   pendular::io::draw(p, figures / "fig10_axial_stress.png");
-  return t.text();
+  return t.text() + "\n" + table_of_steps(folder);
 }
 
 std::string strengths(const fs::path& folder, const fs::path& figures) {
@@ -78,19 +120,17 @@ std::string strengths(const fs::path& folder, const fs::path& figures) {
   p.x_label = "water content (%)";
   p.y_label = "compressive strength (Pa)";
   p.x_range = {{1.5, 6.5}};
-  table t({"bonds", "w (%)", "strength (Pa)", "over P1", "bridges per grain at the start"});
-  std::array<seeds, waters.size()> base;
+  table t({"bonds", "w (%)", "strength (Pa)", "over P1", "bridges per grain, start", "largest V_b/R³",
+           "unbalanced force ratio, start"});
   for (const way& each_way : ways) {
     pendular::io::curve c{each_way.label, {}, {}, curve_style::linespoints, {}, {}};
     for (std::size_t k = 0; k < each_way.count; ++k) {
-      const seeds s = runs_of(folder / each_way.group / (each_way.prefix + waters[k]));
-      const measured found = strength(s), bridges = of(s, "sample", "bridges_per_grain_relaxed");
-      if (c.label == ways.front().label) base[k] = s;
-      const measured over = mean_of(by_seed(s, base[k], [](const run& a, const run& b) {
-        return a.number("strength", "peak_stress_Pa") / b.number("strength", "peak_stress_Pa");
-      }));
-      t.add({c.label, number("%g", percent(waters[k])), in_pascal(found), number("%.3f", over.mean, over.error),
-             number("%.2f", bridges.mean, bridges.error)});
+      const seeds s = each_way.runs(folder, k);
+      const measured found = strength(s), over = ratio(s, ways.front().runs(folder, k));
+      t.add({c.label, in_percent(waters[k]), in_pascal(found), with_hundredth(over),
+             with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
+             with_hundredth(of(s, "liquid", "largest_bridge_over_R3")),
+             number("%.0e", of(s, "sample", "unbalanced_force_ratio").mean)});
       c.x.push_back(percent(waters[k])), c.y.push_back(found.mean), c.error.push_back(found.error);
     }
     p.curves.push_back(c);
@@ -100,7 +140,7 @@ std::string strengths(const fs::path& folder, const fs::path& figures) {
 }
 
 std::string still_zone(const fs::path& folder, const fs::path& figures) {
-  const seeds s = runs_of(folder / "axial_stress" / "w0.02");
+  const seeds s = ways.front().runs(folder, 0);
   for (const char* picture : {"section", "sample"}) {
     const fs::path from = s.front().folder() / (std::string(picture) + ".png");
     if (fs::exists(from)) {
@@ -121,18 +161,19 @@ std::string still_zone(const fs::path& folder, const fs::path& figures) {
 
 std::string relaxation(const fs::path& folder) {
   table t({"w = 2 %", "strength (Pa)", "settlement of the surface (mm)", "of the centre (mm)",
-           "bridges per grain at the start", "unbalanced force ratio"});
-  const auto row = [&](const char* label, const seeds& s) {
+           "bridges per grain, start", "unbalanced force ratio"});
+  const auto row = [&](const char* label, const fs::path& of_case) {
+    const seeds s = three_runs_of(folder / of_case);
     const measured surface = of(s, "sample", "surface_settlement_m", 1e-3),
-                   centre = of(s, "sample", "centre_settlement_m", 1e-3),
-                   unrest = of(s, "sample", "unbalanced_force_ratio"),
-                   bridges = of(s, "sample", "bridges_per_grain_relaxed");
+                   centre = of(s, "sample", "centre_settlement_m", 1e-3);
     t.add({label, in_pascal(strength(s)), number("%.4f", surface.mean, surface.error),
-           number("%.4f", centre.mean, centre.error), number("%.2f", bridges.mean, bridges.error),
-           number("%.1e", unrest.mean)});
+           number("%.4f", centre.mean, centre.error), with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
+           number("%.0e", of(s, "sample", "unbalanced_force_ratio").mean)});
   };
-  row("relaxed for 0.2 s", runs_of(folder / "axial_stress" / "w0.02"));
-  row("not relaxed", runs_of(folder / "not_relaxed" / "w0.02"));
+  row("all bonds, relaxed", "axial_stress/w0.02");
+  row("not relaxed", "not_relaxed/w0.02");
+  row("half the bonds, relaxed", "half_bonds/w0.02");
+  row("not relaxed", "not_relaxed/half_bonds_w0.02");
   return t.text();
 }
 

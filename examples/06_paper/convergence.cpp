@@ -2,6 +2,7 @@
 #include "convergence.hpp"
 
 #include "../common/markdown.hpp"
+#include "curves.hpp"
 #include "run.hpp"
 
 #include <pendular/io/plot.hpp>
@@ -26,17 +27,18 @@ struct series {
   const char* option;
   finest best;
   bool with_reference;
+  bool own_packings;  // not those of the reference: nothing is shared between runs of the same seed
 };
 
 constexpr std::array all_series{
-    series{"time_step", "time step (s)", "time-step", finest::smallest, true},
-    series{"mass_scaling", "mass scaling", "mass-scaling", finest::smallest, true},
-    series{"shear_speed", "speed (m/s)", "shear-speed", finest::smallest, true},
-    series{"wall_speed", "speed (m/s)", "wall-speed", finest::smallest, true},
-    series{"stiffness", "k_n (N/m)", "stiffness", finest::largest, false},
-    series{"grains", "grains", "grains", finest::largest, true},
-    series{"skin", "list skin over smallest radius", "skin", finest::largest, false},
-    series{"viscous_time_step", "time step with Eq. 12 (s)", "time-step", finest::smallest, false}};
+    series{"time_step", "time step (s)", "time-step", finest::smallest, true, false},
+    series{"mass_scaling", "mass scaling", "mass-scaling", finest::smallest, true, false},
+    series{"shear_speed", "speed (m/s)", "shear-speed", finest::smallest, true, false},
+    series{"wall_speed", "speed (m/s)", "wall-speed", finest::smallest, true, false},
+    series{"stiffness", "k_n (N/m)", "stiffness", finest::largest, false, true},
+    series{"grains", "grains", "grains", finest::largest, true, true},
+    series{"skin", "list skin over smallest radius", "skin", finest::largest, false, false},
+    series{"viscous_time_step", "time step with Eq. 12 (s)", "time-step", finest::smallest, false, false}};
 
 double stress_of(const run& r, const std::string& test) {
   return test == "shear" ? r.number("strength", "residual_shear_stress_Pa") : r.number("strength", "peak_stress_Pa");
@@ -57,25 +59,29 @@ double time_of(const seeds& s) {
   }));
 }
 
-/// By run of the same seed, over the mean of the best.
-measured change_from(const seeds& best, const seeds& s, const std::string& test) {
-  const auto differences =
-      by_seed(s, best, [&](const run& r, const run& b) { return stress_of(r, test) - stress_of(b, test); });
-  const double whole = mean_of(each(best, [&](const run& r) { return stress_of(r, test); })).mean;
-  const measured found = mean_of(differences);
-  return {found.mean / whole, found.error / whole};
+/// Over the mean of the best; by seed where the packings are the same.
+measured change_from(const seeds& best, const seeds& s, const std::string& test, bool own_packings) {
+  const auto stress = [&](const run& r) { return stress_of(r, test); };
+  const measured whole = mean_of(each(best, stress));
+  if (own_packings && &s != &best) {
+    const measured part = mean_of(each(s, stress));
+    return {part.mean / whole.mean - 1, std::hypot(part.error, whole.error) / whole.mean};
+  }
+  const measured found = mean_of(by_seed(s, best, [&](const run& r, const run& b) { return stress(r) - stress(b); }));
+  return {found.mean / whole.mean, found.error / whole.mean};
 }
 
 /// A setting and its runs.
 using setting = std::pair<std::string, seeds>;
 
-point point_of(const setting& of, const seeds& best, const std::string& test) {
+point point_of(const setting& of, const seeds& best, const series& kind, const std::string& test) {
   const auto& [value, s] = of;
   point p;
   p.value = value;
   p.stress = mean_of(each(s, [&](const run& r) { return stress_of(r, test); }));
-  p.change = change_from(best, s, test);
+  p.change = change_from(best, s, test, kind.own_packings);
   p.time = time_of(s);
+  p.seeds = s.size();
   p.worst_book = 0;
   for (const run& r : s) p.worst_book = std::max(p.worst_book, std::abs(r.number("energy", "relative_imbalance")));
   return p;
@@ -95,7 +101,7 @@ study study_of(const series& kind, const std::filesystem::path& folder, const se
   std::stable_sort(settings.begin(), settings.end(),
                    [&](const setting& a, const setting& b) { return finer(kind, a, b); });
   for (const setting& s : settings) {
-    found.points.push_back(point_of(s, settings.front().second, test));
+    found.points.push_back(point_of(s, settings.front().second, kind, test));
     found.points.back().time /= time_of(reference);
   }
   return found;
@@ -126,12 +132,14 @@ std::vector<study> read(const std::filesystem::path& folder, const std::string& 
 
 std::string table_of(const std::vector<study>& studies, const std::string& test) {
   examples::markdown::table text({"setting", "value", test == "shear" ? "residual stress (Pa)" : "peak stress (Pa)",
-                                  "change from the finest (%)", "run time over the reference's", "energy book"});
+                                  "seeds", "change from the finest (%)", "run time over the reference's",
+                                  "energy book"});
   for (const study& s : studies) {
     if (s.test != test) continue;
     for (const point& p : s.points) {
       const bool best = &p == &s.points.front();
       text.add({best ? s.title : "", tidy(p.value), number("%.1f", p.stress.mean, p.stress.error),
+                std::to_string(p.seeds),
                 best ? "finest" : number("%+.1f", 100 * p.change.mean) + " ± " + number("%.1f", 100 * p.change.error),
                 number("%.2f", p.time), number("%.0e", p.worst_book)});
     }
@@ -167,7 +175,7 @@ std::string table_of_laws(const std::filesystem::path& folder) {
   for (const char* law : {"richefeu", "richefeu-harmonic", "willett", "laplace-young"}) {
     const seeds compressed = runs("compression", law), sheared = runs("shear", law);
     const measured peak = mean_of(each(compressed, [](const run& r) { return stress_of(r, "compression"); }));
-    const measured change = change_from(runs("compression", "laplace-young"), compressed, "compression");
+    const measured change = change_from(runs("compression", "laplace-young"), compressed, "compression", false);
     const measured added = mean_of(by_seed(sheared, dry, [](const run& wet, const run& without) {
       return stress_of(wet, "shear") - stress_of(without, "shear");
     }));
@@ -179,14 +187,18 @@ std::string table_of_laws(const std::filesystem::path& folder) {
   return text.text();
 }
 
+/// Stress at 1.4 to 1.8 mean diameters of shortening over that at 0.2 to 0.5.
+double left_of(const run& r) {
+  const xy c = stress_curve(r);
+  return mean_between(c, 1.4, 1.8) / mean_between(c, 0.2, 0.5);
+}
+
 std::vector<rate_point> read_rates(const std::filesystem::path& folder) {
   std::vector<rate_point> found;
   for (const auto& [name, s] : cases(folder / "compression" / "viscosity_and_speed")) {
     found.push_back({s.front().numeric_option("tangential-viscosity"), s.front().numeric_option("wall-speed"),
                      mean_of(each(s, [](const run& r) { return stress_of(r, "compression"); })),
-                     mean_of(each(s, [](const run& r) {
-                       return r.number("strength", "last_stress_Pa") / stress_of(r, "compression");
-                     }))});
+                     mean_of(each(s, left_of))});
   }
   std::sort(found.begin(), found.end(), [](const rate_point& a, const rate_point& b) {
     return std::pair(a.viscosity, a.speed) < std::pair(b.viscosity, b.speed);
@@ -195,8 +207,8 @@ std::vector<rate_point> read_rates(const std::filesystem::path& folder) {
 }
 
 std::string table_of(const std::vector<rate_point>& rates) {
-  examples::markdown::table text(
-      {"γ_t (N s/m)", "speed (mm/s)", "γ_t times speed (mN)", "largest stress (Pa)", "of which at the end (%)"});
+  examples::markdown::table text({"γ_t (N s/m)", "speed (mm/s)", "γ_t times speed (mN)", "largest stress (Pa)",
+                                  "at 1.4 to 1.8 diameters over that at 0.2 to 0.5 (%)"});
   for (const rate_point& r : rates) {
     text.add({number("%g", r.viscosity), number("%g", 1e3 * r.speed), number("%.3g", 1e3 * r.viscosity * r.speed),
               number("%.0f", r.stress.mean, r.stress.error), number("%.0f", 100 * r.left.mean, 100 * r.left.error)});

@@ -3,6 +3,7 @@
 
 #include "measured.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct point {
   measured change;    // from the finest setting, of the stress of the finest
   double time;        // of the processor in the test, median, over that of the reference
   double worst_book;  // energy imbalance over turnover
+  std::size_t seeds;
 };
 
 /// All settings of one kind for one test; the finest is the first.
@@ -36,11 +38,11 @@ void draw(const std::vector<study>& studies, const std::string& test, const std:
 /// Every capillary law: strength, what it adds to the dry shear stress, and what it costs.
 std::string table_of_laws(const std::filesystem::path& folder);
 
-/// Strength under Eq. 12 for every gamma_t and speed, and what is left of it at the end of the test.
+/// Strength under Eq. 12 for every gamma_t and speed, and what is left of the stress towards the end of the test.
 struct rate_point {
   double viscosity, speed;  // N s/m, m/s
   measured stress;          // Pa
-  measured left;            // of the strength
+  measured left;            // 1 if the stress neither falls nor rises
 };
 std::vector<rate_point> read_rates(const std::filesystem::path& folder);
 std::string table_of(const std::vector<rate_point>& rates);

@@ -3,7 +3,6 @@
 
 #include "run.hpp"
 
-#include <string>
 #include <vector>
 
 namespace paper {
@@ -12,8 +11,9 @@ struct xy {
   std::vector<double> x, y;
 };
 
-/// Stress of a shear test over displacement in mean diameters, or of a compression over shortening in mean diameters,
-/// averaged over a window of 0.05 diameters.
+/// Stress over displacement in mean diameters of a shear test, or over shortening of a compression, averaged over a window
+/// of 0.05 diameters. Shortening counts from where the lid bears a twentieth of the largest stress: before, it touches
+/// single grains that stand out.
 xy stress_curve(const run& r);
 
 /// Mean of the curves of all seeds, where all of them have values.
@@ -22,8 +22,30 @@ xy mean_curve(const seeds& s);
 /// Mean stress between two displacements, mean diameters.
 double mean_between(const xy& curve, double from, double to);
 
-/// Sudden stress drops: falls by more than `share` of the mean stress beyond one diameter, from one line of the curve to
-/// the second after it, per mean diameter of displacement.
-double drops_per_diameter(const run& r, double share);
+/// Largest stress of a curve and where, mean diameters.
+struct summit {
+  double at, stress;
+  bool rising;  // still within a fiftieth of it at the end of the curve: a lower bound
+};
+summit summit_of(const xy& curve);
+
+/// Means of a shear test over a stretch of displacement.
+struct shear_state {
+  double shear;    // stress on the plane between the halves, Pa
+  double normal;   // stress on the same plane, from lid and weight, Pa
+  double bridges;  // per grain
+  double height;   // of the lid, m
+};
+
+/// Between two displacements, mean diameters. Errors: std::runtime_error if the curve has nothing there.
+shear_state state_between(const run& r, double from, double to);
+/// From one to two diameters, where the paper's samples are in their residual state.
+shear_state residual_state(const run& r);
+/// About the largest shear stress: its own value, the rest within 0.1 diameters.
+shear_state peak_state(const run& r);
+
+/// Falls of the stress by more than `least` Pa from one line of the curve to the next ones, beyond one diameter, per mean
+/// diameter of displacement; as long as the stress falls it is one.
+double falls_per_diameter(const run& r, double least);
 
 }  // namespace paper

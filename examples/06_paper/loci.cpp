@@ -2,16 +2,15 @@
 #include "loci.hpp"
 
 #include <numbers>
-#include <numeric>
 
 namespace paper {
 
 namespace {
 
-/// The runs of one packing at all normal stresses.
-seeds runs_with(const std::string& seed, const std::vector<seeds>& normal_stresses) {
+/// The runs of one packing under all loads.
+seeds runs_with(const std::string& seed, const std::vector<seeds>& loads) {
   seeds found;
-  for (const seeds& s : normal_stresses) {
+  for (const seeds& s : loads) {
     for (const run& r : s) {
       if (r.option("seed") == seed) found.push_back(r);
     }
@@ -19,14 +18,13 @@ seeds runs_with(const std::string& seed, const std::vector<seeds>& normal_stress
   return found;
 }
 
-seed_line line_of(const seeds& of_one_packing, const std::string& strength) {
-  const auto values = [&](const std::string& name) {
-    return each(of_one_packing, [&](const run& r) { return r.number("strength", name); });
-  };
-  const auto lid = values("normal_stress_Pa"), plane = values("plane_stress_Pa"), shear = values(strength);
-  return {of_one_packing.front().option("seed"), pendular::observe::coulomb_fit(lid, shear),
-          pendular::observe::coulomb_fit(plane, shear),
-          std::accumulate(shear.begin(), shear.end(), 0.0) / static_cast<double>(shear.size())};
+shear_state mean_state(const std::vector<shear_state>& states) {
+  shear_state sum{0, 0, 0, 0};
+  for (const shear_state& s : states) {
+    sum.shear += s.shear, sum.normal += s.normal, sum.bridges += s.bridges, sum.height += s.height;
+  }
+  const auto count = static_cast<double>(states.size());
+  return {sum.shear / count, sum.normal / count, sum.bridges / count, sum.height / count};
 }
 
 template <class Value>
@@ -37,55 +35,63 @@ measured mean_of_lines(const locus& l, const Value& value) {
 }
 
 template <class Value>
-measured added(const locus& wet, const locus& dry, const Value& value) {
+std::vector<double> by_seed(const locus& wet, const locus& dry, const Value& value) {
   std::vector<double> values;
   for (const seed_line& w : wet.lines) {
     for (const seed_line& d : dry.lines) {
-      if (w.seed == d.seed) values.push_back(value(w) - value(d));
+      if (w.seed == d.seed) values.push_back(value(w, d));
     }
   }
-  return mean_of(values);
+  return values;
 }
-
-double degrees(const pendular::observe::coulomb_line& l) { return 180 / std::numbers::pi * l.friction_angle(); }
 
 }  // namespace
 
-measured locus::intercept() const {
-  return mean_of_lines(*this, [](const seed_line& l) { return l.over_lid.cohesion; });
+double seed_line::angle() const { return 180 / std::numbers::pi * line.friction_angle(); }
+
+measured locus::cohesion() const {
+  return mean_of_lines(*this, [](const seed_line& l) { return l.line.cohesion; });
 }
 measured locus::tan_friction() const {
-  return mean_of_lines(*this, [](const seed_line& l) { return l.over_lid.tan_friction; });
+  return mean_of_lines(*this, [](const seed_line& l) { return l.line.tan_friction; });
 }
-measured locus::lid_angle() const {
-  return mean_of_lines(*this, [](const seed_line& l) { return degrees(l.over_lid); });
+measured locus::angle() const {
+  return mean_of_lines(*this, [](const seed_line& l) { return l.angle(); });
 }
-measured locus::plane_angle() const {
-  return mean_of_lines(*this, [](const seed_line& l) { return degrees(l.over_plane); });
+measured locus::bridges() const {
+  return mean_of_lines(*this, [](const seed_line& l) { return l.mean.bridges; });
+}
+measured locus::height() const {
+  return mean_of_lines(*this, [](const seed_line& l) { return l.mean.height; });
 }
 
-locus locus_of(const std::vector<seeds>& normal_stresses, const std::string& strength) {
+locus locus_of(const std::vector<seeds>& loads, const state_function& state) {
   locus l;
-  std::vector<double> bridges;
-  for (const run& first : normal_stresses.front()) {
-    const seeds of_one_packing = runs_with(first.option("seed"), normal_stresses);
-    if (of_one_packing.size() < normal_stresses.size()) continue;
-    l.lines.push_back(line_of(of_one_packing, strength));
+  for (const run& first : loads.front()) {
+    const std::string seed = first.option("seed");
+    const seeds of_one_packing = runs_with(seed, loads);
+    if (of_one_packing.size() < loads.size()) continue;
+    std::vector<shear_state> states;
+    std::vector<double> normal, shear;
     for (const run& r : of_one_packing) {
-      l.lid.push_back(r.number("strength", "normal_stress_Pa"));
-      l.shear.push_back(r.number("strength", strength));
-      bridges.push_back(r.number("sample", "bridges_per_grain_start"));
+      states.push_back(state(r));
+      normal.push_back(states.back().normal), shear.push_back(states.back().shear);
     }
+    l.lines.push_back({seed, pendular::observe::coulomb_fit(normal, shear), mean_state(states)});
+    l.normal.insert(l.normal.end(), normal.begin(), normal.end());
+    l.shear.insert(l.shear.end(), shear.begin(), shear.end());
   }
-  l.bridges = mean_of(bridges);
   return l;
 }
 
-measured added_intercept(const locus& wet, const locus& dry) {
-  return added(wet, dry, [](const seed_line& l) { return l.over_lid.cohesion; });
+measured added_angle(const locus& wet, const locus& dry) {
+  return mean_of(by_seed(wet, dry, [](const seed_line& w, const seed_line& d) { return w.angle() - d.angle(); }));
 }
-measured added_shear_stress(const locus& wet, const locus& dry) {
-  return added(wet, dry, [](const seed_line& l) { return l.mean_shear; });
+
+std::vector<double> cohesions_at_dry_angle(const locus& wet, const locus& dry) {
+  return by_seed(wet, dry, [](const seed_line& w, const seed_line& d) {
+    return w.mean.shear - d.line.cohesion - d.line.tan_friction * w.mean.normal;
+  });
 }
 
 }  // namespace paper

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figures and tables of the paper's tests and of the convergence study, from the folders their jobs have left.
+#include "cohesion.hpp"
 #include "compression.hpp"
 #include "convergence.hpp"
 #include "shear.hpp"

@@ -5,6 +5,9 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace paper {
 
@@ -19,7 +22,19 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
       if (entry.is_directory()) found.push_back(entry.path());
     }
   }
-  std::sort(found.begin(), found.end());
+  // seed10 behind seed9
+  std::sort(found.begin(), found.end(), [](const fs::path& a, const fs::path& b) {
+    const auto left = a.filename().string(), right = b.filename().string();
+    return std::pair(left.size(), left) < std::pair(right.size(), right);
+  });
+  return found;
+}
+
+seeds runs_in(const fs::path& of_case) {
+  seeds found;
+  for (const fs::path& seed : folders_in(of_case)) {
+    if (fs::exists(seed / "summary.json")) found.emplace_back(seed);
+  }
   return found;
 }
 
@@ -32,7 +47,11 @@ double as_number(const nlohmann::json& value) {
 run::run(const fs::path& folder) : folder_(folder) {
   std::ifstream in(folder / "summary.json");
   if (!in) throw std::runtime_error("there is no summary.json in " + folder.string());
-  summary_ = nlohmann::json::parse(in);
+  try {
+    summary_ = nlohmann::json::parse(in);
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error("summary.json in " + folder.string() + " is damaged: " + error.what());
+  }
 }
 
 const nlohmann::json& run::entry(const std::string& part, const std::string& name) const {
@@ -74,20 +93,24 @@ pendular::io::table run::curve() const {
 std::vector<std::pair<std::string, seeds>> cases(const fs::path& folder) {
   std::vector<std::pair<std::string, seeds>> all;
   for (const fs::path& of_case : folders_in(folder)) {
-    seeds found;
-    for (const fs::path& seed : folders_in(of_case)) {
-      if (fs::exists(seed / "summary.json")) found.emplace_back(seed);
-    }
+    seeds found = runs_in(of_case);
     if (!found.empty()) all.emplace_back(of_case.filename().string(), std::move(found));
   }
   return all;
 }
 
 seeds runs_of(const fs::path& of_case) {
-  for (auto& [name, runs] : cases(of_case.parent_path())) {
-    if (name == of_case.filename()) return runs;
+  seeds found = runs_in(of_case);
+  if (found.empty()) throw std::runtime_error("no job has ended in " + of_case.string());
+  return found;
+}
+
+seeds three_runs_of(const fs::path& of_case) {
+  seeds found = runs_of(of_case);
+  if (found.size() < 3) {
+    throw std::runtime_error(std::to_string(found.size()) + " of 3 seeds have ended in " + of_case.string());
   }
-  throw std::runtime_error("no job has ended in " + of_case.string());
+  return found;
 }
 
 }  // namespace paper

@@ -40,11 +40,14 @@ class run {
 /// Runs that differ by their seed, in its order.
 using seeds = std::vector<run>;
 
-/// All cases beneath a folder, <case>/seed<k>, by name. Empty if there is no such folder.
+/// All cases beneath a folder, <case>/seed<k>, the shorter names first, then by name. Empty if there is no such folder.
 std::vector<std::pair<std::string, seeds>> cases(const std::filesystem::path& folder);
 
 /// The runs of one case. Errors: std::runtime_error if there is none.
 seeds runs_of(const std::filesystem::path& of_case);
+
+/// The same of a case with the three seeds that a claim needs. Errors: std::runtime_error if there are fewer.
+seeds three_runs_of(const std::filesystem::path& of_case);
 
 /// f(a, b) of the runs with the same seed, which have the same packing.
 template <class F>

@@ -24,12 +24,14 @@ void write_job(const fs::path& folder, const std::string& options, double stress
   fs::create_directories(folder);
   std::ofstream(folder / "summary.json")
       << R"({"options": ")" << options << R"(", "strength": {"residual_shear_stress_Pa": )" << stress
-      << R"(, "peak_stress_Pa": )" << stress << R"(, "normal_stress_Pa": )" << plane - 200 << R"(, "plane_stress_Pa": )"
-      << plane << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5]},)"
+      << R"(, "peak_stress_Pa": )" << stress
+      << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5], "mean_diameter_m": 1e-3},)"
       << R"("cost": {"processor_s_per_step": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
   std::ofstream table(folder / "shear_curve.csv");
-  table << "displacement_over_mean_diameter,shear_stress_Pa\n";
-  for (std::size_t k = 0; k < curve.size(); ++k) table << 0.5 * static_cast<double>(k) << ',' << curve[k] << '\n';
+  table << "displacement_over_mean_diameter,shear_stress_Pa,plane_stress_Pa,bridges_per_grain,height_m\n";
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    table << 0.5 * static_cast<double>(k) << ',' << curve[k] << ',' << plane << ",6,0.02\n";
+  }
 }
 
 std::string options_of(const std::string& step, int seed) {
@@ -51,6 +53,8 @@ TEST_CASE("a run knows its numbers and the options it was given") {
   CHECK(r.numeric_option("seed") == 3);
   CHECK_THROWS_AS(r.option("content"), std::runtime_error);
   CHECK_THROWS_AS(paper::run(folder / "b"), std::runtime_error);
+  std::ofstream(folder / "a/summary.json") << "{";
+  CHECK_THROWS_AS(paper::run(folder / "a"), std::runtime_error);
 }
 
 TEST_CASE("cases are folders of seeds, those that have not ended left out") {
@@ -67,14 +71,41 @@ TEST_CASE("cases are folders of seeds, those that have not ended left out") {
   CHECK(paper::cases(folder / "nowhere").empty());
 }
 
-TEST_CASE("a drop is a fall between a line of the curve and the second after it, beyond one diameter") {
+TEST_CASE("a fall of the stress counts once, beyond one diameter") {
   const scratch::folder folder;
-  // x = 0, 0.5, 1, ... 4; mean beyond one diameter 94; falls of 40 in two lines at x = 1.5, of 10 in one line at 3
+  // x = 0, 0.5, ... 4.5: beyond one diameter falls of 40 in two lines, then of 10 in one
   write_job(folder / "a", "seed 1", 1, 1, {10, 200, 100, 110, 90, 70, 100, 100, 90, 98});
   const paper::run r(folder / "a");
-  CHECK(paper::drops_per_diameter(r, 0.2) == within(1e-12, 1 / 3.5));
-  CHECK(paper::drops_per_diameter(r, 0.05) == within(1e-12, 2 / 3.5));
-  CHECK(paper::drops_per_diameter(r, 0.5) == 0);
+  CHECK(paper::falls_per_diameter(r, 9) == within(1e-12, 2 / 3.5));
+  CHECK(paper::falls_per_diameter(r, 19) == within(1e-12, 1 / 3.5));
+  CHECK(paper::falls_per_diameter(r, 39) == within(1e-12, 1 / 3.5));
+  CHECK(paper::falls_per_diameter(r, 40) == 0);
+}
+
+TEST_CASE("a shear test has means over a stretch and about its peak") {
+  const scratch::folder folder;
+  write_job(folder / "a", "seed 1", 1, 1, {10, 90, 40, 50, 60}, 700);
+  const paper::run r(folder / "a");
+  const auto late = paper::residual_state(r), peak = paper::peak_state(r);
+  CHECK((late.shear == 50 && late.normal == 700 && late.bridges == 6 && late.height == 0.02));
+  CHECK((peak.shear == 90 && peak.normal == 700));
+  CHECK_THROWS_AS(paper::state_between(r, 3, 4), std::runtime_error);
+}
+
+TEST_CASE("a summit at the end of a curve is a lower bound") {
+  const auto top = paper::summit_of({{0, 1, 2}, {5, 10, 7}});
+  CHECK((top.at == 1 && top.stress == 10 && !top.rising));
+  CHECK(paper::summit_of({{0, 1, 2}, {5, 9, 10}}).rising);
+}
+
+TEST_CASE("the shortening of a compression counts from where the lid bears the sample") {
+  const scratch::folder folder;
+  write_job(folder / "a", "seed 1", 1, 1);
+  fs::remove(folder / "a/shear_curve.csv");
+  std::ofstream(folder / "a/stress_strain.csv") << "shortening_m,axial_stress_Pa\n0,0\n1e-3,2\n2e-3,60\n3e-3,100\n";
+  const auto c = paper::stress_curve(paper::run(folder / "a"));
+  CHECK(c.x == std::vector<double>{0, 1});
+  CHECK(c.y == std::vector<double>{60, 100});
 }
 
 TEST_CASE("the mean of curves reaches as far as the shortest") {
@@ -97,35 +128,43 @@ TEST_CASE("means over seeds have standard errors") {
 
 TEST_CASE("a locus has the mean of the lines of its seeds") {
   const scratch::folder folder;
-  // over the plane: seed 1 has cohesion 50 and tangent 0.5, seed 2 70 and 0.5; seed 3 lacks a stress
+  // over the plane: seed 1 has cohesion 50 and tangent 0.5, seed 2 70 and 0.5; seed 3 lacks a load
+  const auto write = [&](const std::string& group, int seed, double plane, double cohesion) {
+    const double stress = cohesion + 0.5 * plane;
+    write_job(folder / (group + std::to_string(static_cast<int>(plane))) / ("seed" + std::to_string(seed)),
+              "seed " + std::to_string(seed), 1, 1, {0, 0, stress, stress, stress, 0}, plane);
+  };
   for (const int seed : {1, 2, 3}) {
-    for (const double plane : {400.0, 800.0}) {
-      if (seed == 3 && plane > 500) continue;
-      const auto where = folder / ("s" + std::to_string(static_cast<int>(plane))) / ("seed" + std::to_string(seed));
-      write_job(where, "seed " + std::to_string(seed), 30 + 20 * seed + 0.5 * plane, 1, {}, plane);
-    }
+    write("wet", seed, 400, 30 + 20 * seed), write("dry", seed, 400, 3 * seed);
+    if (seed < 3) write("wet", seed, 800, 30 + 20 * seed), write("dry", seed, 900, 3 * seed);
   }
-  const std::vector<paper::seeds> all{paper::runs_of(folder / "s400"), paper::runs_of(folder / "s800")};
-  const auto l = paper::locus_of(all);
-  CHECK(l.intercept().mean == within(1e-12, 160));  // the lid has 200 Pa less
-  CHECK(l.intercept().error == within(1e-9, 10));
+  const auto runs = [&](const char* name) { return paper::runs_of(folder / name); };
+  const auto l = paper::locus_of({runs("wet400"), runs("wet800")});
+  CHECK(l.cohesion().mean == within(1e-12, 60));
+  CHECK(l.cohesion().error == within(1e-9, 10));
   CHECK(l.tan_friction().mean == within(1e-12, 0.5));
-  CHECK(l.lid_angle().mean == within(1e-12, 26.565051177077990));
-  CHECK(l.plane_angle().mean == within(1e-12, 26.565051177077990));
-  REQUIRE(l.lines.size() == 2);
-  CHECK(l.lines[1].over_plane.cohesion == within(1e-12, 70));
-  CHECK(l.lines[1].mean_shear == within(1e-12, 370));
-  CHECK(l.lid.size() == 4);
-  CHECK(l.bridges.mean == 6);
-  auto dry = l;
-  dry.lines[0].over_lid.cohesion -= 100, dry.lines[1].over_lid.cohesion -= 120;
-  dry.lines[0].mean_shear -= 50, dry.lines[1].mean_shear -= 70;
-  CHECK(paper::added_intercept(l, dry).mean == within(1e-12, 110));
-  CHECK(paper::added_shear_stress(l, dry).mean == within(1e-12, 60));
-  CHECK(paper::added_shear_stress(l, dry).error == within(1e-12, 10));
+  CHECK(l.angle().mean == within(1e-12, 26.565051177077990));
+  CHECK((l.lines.size() == 2 && l.normal.size() == 4 && l.shear.size() == 4));
+  CHECK(l.lines[1].mean.shear == within(1e-12, 370));
+  CHECK((l.bridges().mean == 6 && l.height().mean == 0.02));
+  auto dry = paper::locus_of({runs("dry400"), runs("dry900")});
+  const auto added = paper::cohesions_at_dry_angle(l, dry);  // whatever the loads
+  REQUIRE(added.size() == 2);
+  CHECK((added[0] == within(1e-12, 47) && added[1] == within(1e-12, 64)));
+  CHECK(std::abs(paper::added_angle(l, dry).mean) < 1e-12);
   dry.lines[0].seed = "7";
-  CHECK(paper::added_shear_stress(l, dry).mean == within(1e-12, 70));
-  CHECK_THROWS(paper::locus_of({all[0]}));
+  CHECK(paper::cohesions_at_dry_angle(l, dry).size() == 1);
+  CHECK_THROWS(paper::locus_of({runs("wet400")}));
+}
+
+TEST_CASE("a claim has three seeds") {
+  const scratch::folder folder;
+  for (const char* name : {"a/seed1", "a/seed10", "a/seed9", "b/seed1", "b/seed2"})
+    write_job(folder / name, "seed 1", 1, 1);
+  const auto three = paper::three_runs_of(folder / "a");
+  REQUIRE(three.size() == 3);
+  CHECK(three[1].folder().filename() == "seed9");
+  CHECK_THROWS_AS(paper::three_runs_of(folder / "b"), std::runtime_error);
 }
 
 TEST_CASE("runs are compared with those of their seed") {
@@ -153,10 +192,17 @@ TEST_CASE("a study compares by seed with its finest setting") {
     write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 1.75);
   }
   write_job(shear / "skin/0.05/seed1", options_of("4e-6", 1), 110, 3);
+  for (const int seed : {1, 2}) {  // packings of their own
+    const auto name = "seed" + std::to_string(seed), options = options_of("4e-6", seed);
+    write_job(shear / "stiffness/2000" / name, options, 97 + 2 * seed, 1);
+    write_job(shear / "stiffness/1000" / name, options, 80 + 20 * seed, 1);
+  }
   const auto studies = paper::convergence::read(fs::path(shear).parent_path(), "shear");
-  REQUIRE(studies.size() == 2);
-  CHECK(studies[1].points[0].value == "0.05");  // not among the options that decide results
-  CHECK(studies[1].points[0].time == 1.5);
+  REQUIRE(studies.size() == 3);
+  CHECK(studies[2].points[0].value == "0.05");  // not among the options that decide results
+  CHECK(studies[2].points[0].time == 1.5);
+  CHECK(studies[1].points[1].change.mean == within(1e-12, 0.1));
+  CHECK(studies[1].points[1].change.error == within(1e-12, std::sqrt(101.0) / 100));
   const auto& points = studies[0].points;
   REQUIRE(points.size() == 3);
   CHECK(points[0].stress.mean == 106.5);
@@ -167,5 +213,5 @@ TEST_CASE("a study compares by seed with its finest setting") {
   CHECK(points[2].time == 0.5);
   CHECK(points[2].worst_book == 1e-4);
   const auto text = paper::convergence::table_of(studies, "shear");
-  CHECK(text.find("| 1e-06 | 106.5 ± 5.5 | finest | 4.00 | 1e-04 |") != std::string::npos);
+  CHECK(text.find("| 1e-06 | 106.5 ± 5.5 | 2 | finest | 4.00 | 1e-04 |") != std::string::npos);
 }

@@ -176,7 +176,8 @@ TEST_CASE("consolidation ends at the solid fraction that is wanted, or with its 
   p.solid_fraction = 0.3;  // is there from the start
   scene::direct_shear loose(p, rough_cell, dry{});
   loose.start(deposited());
-  CHECK(loose.run({}).sample.consolidation_time == 0);
+  const auto at_once = loose.run({}).sample;
+  CHECK(at_once.consolidation_time == 0);
   p.solid_fraction = 0.73;  // is never reached
   scene::direct_shear dense(p, rough_cell, dry{});
   dense.start(deposited());
@@ -184,6 +185,18 @@ TEST_CASE("consolidation ends at the solid fraction that is wanted, or with its 
   CHECK(sample.consolidation_time == within(1e-3, 0.05));
   CHECK(sample.solid_fraction > 0.4);
   CHECK(sample.split_height < 0.51 * sample.deposited_height);
+  p.solid_fraction = 0.5 * (at_once.solid_fraction + sample.solid_fraction);
+  scene::direct_shear between(p, rough_cell, dry{});
+  between.start(deposited());
+  const double reached = between.run({}).sample.solid_fraction;
+  CHECK((reached >= p.solid_fraction && reached < p.solid_fraction + 2e-5));  // in the first step that is dense enough
+}
+
+TEST_CASE("a packing for another cell is refused") {
+  auto p = small_test();
+  p.cell_radius = 1.1 * cell_radius;
+  scene::direct_shear test(p, rough_cell, dry{});
+  CHECK_THROWS_AS(test.start(deposited()), input_error);
 }
 
 TEMPLATE_TEST_CASE("a direct shear that is resumed from any checkpoint of any stage ends with the same bits", "",
@@ -222,6 +235,7 @@ TEST_CASE("a shear test without meaning is refused before anything is built") {
     refused([&](auto& p) { p.displacement = bad; });
     refused([&](auto& p) { p.solid_fraction = bad; });
   }
+  refused([](auto& p) { p.gravity = std::nan(""); });
   refused([](auto& p) { p.displacement = cell_radius; });
   refused([](auto& p) { p.displacement = 1e-9; });  // less than a step
   refused([](auto& p) { p.water_content = 1; });

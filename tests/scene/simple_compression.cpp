@@ -130,6 +130,16 @@ TEST_CASE("a sealed packing is read as it was written") {
   CHECK(packed().cylinder_radius == small_packing().cylinder_radius);
 }
 
+TEST_CASE("a packing with half a grain is refused") {
+  const scratch::folder folder;
+  for (const std::size_t entries : {3u, 8u}) {
+    io::checkpoint_writer out(folder / "packing");
+    out.put("packing.numbers", std::vector<double>(entries, 1.0));
+    out.commit();
+    CHECK_THROWS_AS(scene::load_packing(io::checkpoint_reader(folder / "packing")), std::runtime_error);
+  }
+}
+
 TEST_CASE("a packing of other grains or of another cylinder than wanted is refused") {
   const scratch::folder folder;
   scene::write(packed(), folder / "packing");

@@ -88,8 +88,12 @@ class direct_shear {
   direct_shear(const shear_parameters& p, const shear_materials<Material>& m, const Liquid& l)
       : parameters_(checked(p)), materials_(m), system_(build(p, m.smooth, l)) {}
 
-  /// Wets the grains and puts the lid on. Errors: input_error where the scene breaks a limit.
+  /// Wets the grains and puts the lid on. Errors: input_error where the packing is not of this cell or the scene breaks a
+  /// limit.
   void start(const sealed_packing& packing) {
+    expects(std::abs(packing.cylinder_radius / parameters_.cell_radius - 1) < 1e-9,
+            "the radius of the packing's cylinder (m)", packing.cylinder_radius, "that of the cell",
+            "docs/reference/scenes.md");
     result_.sample.deposited_height = packing.height;
     for (grain g : packing.grains) {
       g.density *= parameters_.mass_scaling;

@@ -38,14 +38,16 @@ foreach(water_and_time 0.02:2 0.04:1 0.06:1)
   pendular_campaign(compression own_friction compression_w${water} --water-content ${water} ${own_friction}
                     --time-step 3.5e-6 --relaxation 0.03 --duration ${time} ${quiet})
 endforeach()
-# Fig. 5
-foreach(water 0 0.01)
-  pendular_campaign(shear stress_curves w${water} --water-content ${water} --displacement 5e-3 ${quiet})
-endforeach()
-# Fig. 6
-foreach(water 0 0.0005 0.002 0.01 0.02)
+# Fig. 6, and of the same runs Fig. 5, which goes on to three diameters
+set(of_figure_5 w0_s300 w0.01_s300)
+foreach(water 0.01 0 0.0005 0.002 0.02)
   foreach(stress 300 550 800)
-    pendular_campaign(shear yield_loci w${water}_s${stress} --water-content ${water} --normal-stress ${stress} ${quiet})
+    set(case w${water}_s${stress})
+    set(displacement "")
+    if(case IN_LIST of_figure_5)
+      set(displacement --displacement 5e-3)
+    endif()
+    pendular_campaign(shear yield_loci ${case} --water-content ${water} --normal-stress ${stress} ${displacement} ${quiet})
   endforeach()
 endforeach()
 # Fig. 7, and the cohesion over the number of bonds

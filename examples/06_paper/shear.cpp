@@ -103,7 +103,7 @@ std::string stress_curves(const fs::path& folder, const fs::path& figures) {
            "falls by 5 Pa per diameter", "by 15 Pa"});
   std::size_t colour = 0;
   for (const char* water : {"0", "0.01"}) {
-    const seeds s = three_runs_of(folder / "stress_curves" / ("w" + std::string(water)));
+    const seeds s = sheared(folder, water, "300");
     const std::string w = number("%g", 100 * std::stod(water));
     add(p, "w = " + w + " %, first seed", stress_curve(s.front()), colour);
     add(p, "mean of three", mean_curve(s), colour++, curve_style::dashed);

@@ -79,12 +79,15 @@ foreach(scale_stiffness_step_displacement 0.5:1375:6.6e-6:1.65e-3 1:2750:1.32e-5
   list(GET parts 1 stiffness)
   list(GET parts 2 step)
   list(GET parts 3 displacement)
-  foreach(water 0 0.01)
-    foreach(stress 300 550 800)
-      foreach(seed 1 2 3)
+  set(of_size ${shear_usual} --grains 2000 --scale ${scale} --stiffness ${stiffness} --time-step ${step}
+              --displacement ${displacement})
+  foreach(seed 1 2 3)
+    set(packing "${folder}/packings/grain_size/x${scale}/seed${seed}")
+    pendular_packing("${packing}" ${shear} ${of_size} --seed ${seed})
+    foreach(water 0 0.01)
+      foreach(stress 300 550 800)
         pendular_job(results "${folder}/grain_size/x${scale}_w${water}_s${stress}/seed${seed}" ${shear} --seed ${seed}
-                     ${shear_usual} ${quiet} --grains 2000 --scale ${scale} --stiffness ${stiffness} --time-step ${step}
-                     --displacement ${displacement} --water-content ${water} --normal-stress ${stress})
+                     PACKING "${packing}" ${of_size} ${quiet} --water-content ${water} --normal-stress ${stress})
       endforeach()
     endforeach()
   endforeach()

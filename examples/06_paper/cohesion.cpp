@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace paper::shear {
 
@@ -76,8 +77,8 @@ void draw_cohesion(const std::vector<locus>& loci, const std::vector<locus>& pea
   p.y_label = "cohesion (Pa)";
   p.x_range = {{-0.05, 2.1}};
   p.curves = {cohesion_curve("intercept, from 1 to 2 diameters", loci, [](const locus& l) { return l.cohesion(); }),
-              cohesion_curve("the same at the dry sample's angle", loci,
-                             [&](const locus& l) { return mean_of(cohesions_at_dry_angle(l, loci.front())); }),
+              cohesion_curve("beyond the dry line, from 1 to 2 diameters", loci,
+                             [&](const locus& l) { return mean_of(beyond_dry_line(l, loci.front())); }),
               cohesion_curve("intercept at the peak", peaks, [](const locus& l) { return l.cohesion(); }),
               {"paper, simulation", {0.1, 2}, {paper_cohesion, paper_cohesion}, curve_style::dashed, {}, {}},
               {"paper, experiment", {1, 2}, {experiment_cohesion, experiment_cohesion}, curve_style::dashed, {}, {}}};
@@ -85,11 +86,15 @@ void draw_cohesion(const std::vector<locus>& loci, const std::vector<locus>& pea
 }
 
 /// Logarithmic slope over the grain size of what a sample of each size has, by least squares, seed by seed.
+/// Errors: std::runtime_error for a size with other seeds than the first, or a value that has no logarithm.
 measured exponent(const std::vector<double>& sizes, const std::vector<std::vector<double>>& values) {
   std::vector<double> slopes;
   for (std::size_t seed = 0; seed < values.front().size(); ++seed) {
     std::vector<double> x, y;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
+      if (values[k].size() != values.front().size() || !(values[k][seed] > 0)) {
+        throw std::runtime_error("a grain size lacks a seed or has no cohesion: " + std::to_string(sizes[k]) + " m");
+      }
       x.push_back(std::log(sizes[k])), y.push_back(std::log(values[k][seed]));
     }
     slopes.push_back(pendular::observe::coulomb_fit(x, y).tan_friction);
@@ -99,7 +104,7 @@ measured exponent(const std::vector<double>& sizes, const std::vector<std::vecto
 
 }  // namespace
 
-double expected_cohesion(const locus& l, const run& any) {
+measured expected_cohesion(const locus& l, const run& any) {
   double high = 0, low = 0, cube = 0;
   for (const auto& c : pendular::scene::shear_grading()) {
     const double radius = any.numeric_option("scale") * c.diameter / 2;
@@ -107,23 +112,29 @@ double expected_cohesion(const locus& l, const run& any) {
     low += c.proportion * std::sqrt(radius);
     cube += c.proportion * radius * radius * radius;
   }
-  const double pressure_of_one =
-      solid_fraction(any, l.height().mean) * any.numeric_option("kappa") * high * low / (4 * std::numbers::pi * cube);
-  return l.tan_friction().mean * l.bridges().mean * pressure_of_one;
+  const double of_one = any.numeric_option("kappa") * high * low / (4 * std::numbers::pi * cube);
+  std::vector<double> values;
+  for (const seed_line& s : l.lines) {
+    values.push_back(s.line.tan_friction * s.mean.bridges * solid_fraction(any, s.mean.height) * of_one);
+  }
+  return mean_of(values);
 }
 
 std::string yield_loci(const fs::path& folder, const fs::path& figures) {
   std::vector<locus> loci, peaks;
-  table t({"w (%)", "bridges per grain", "angle (degrees)", "less dry", "cohesion (Pa)", "at the dry angle (Pa)",
-           "Rumpf (Pa)", "at the peak: angle (degrees)", "cohesion (Pa)"});
+  table t({"w (%)", "bridges per grain", "angle (degrees)", "less dry", "cohesion (Pa)", "beyond the dry line (Pa)",
+           "Rumpf (Pa)", "at the peak: angle (degrees)", "cohesion (Pa)", "over lid and weight: angle (degrees)",
+           "cohesion (Pa)"});
   for (const char* water : waters) {
     const auto all = under_all_loads(folder / "yield_loci", "w" + std::string(water));
-    const locus l = locus_of(all), at_peak = locus_of(all, peak_state);
+    const locus l = locus_of(all), at_peak = locus_of(all, peak_state),
+                nominal = locus_of(all, residual_state_over_lid_and_weight);
     loci.push_back(l), peaks.push_back(at_peak);
     t.add({number("%g", percent(water)), number("%.2f", l.bridges().mean, l.bridges().error), with_tenth(l.angle()),
            with_tenth(added_angle(l, loci.front())), in_pascal(l.cohesion()),
-           in_pascal(mean_of(cohesions_at_dry_angle(l, loci.front()))), number("%.0f", expected_cohesion(l, all[0][0])),
-           with_tenth(at_peak.angle()), in_pascal(at_peak.cohesion())});
+           in_pascal(mean_of(beyond_dry_line(l, loci.front()))), in_pascal(expected_cohesion(l, all[0][0])),
+           with_tenth(at_peak.angle()), in_pascal(at_peak.cohesion()), with_tenth(nominal.angle()),
+           in_pascal(nominal.cohesion())});
   }
   draw_loci(loci, figures / "fig06a_yield_loci.png");
   draw_cohesion(loci, peaks, figures / "fig06b_cohesion.png");
@@ -131,23 +142,21 @@ std::string yield_loci(const fs::path& folder, const fs::path& figures) {
 }
 
 std::string grain_size(const fs::path& folder) {
-  table t({"mean diameter (mm)", "angle, dry (degrees)", "wet", "cohesion (Pa)", "times the diameter (N/m)",
-           "at the dry angle (Pa)", "times the diameter (N/m)", "Rumpf (Pa)"});
+  table t({"mean diameter (mm)", "angle, dry (degrees)", "wet", "intercept, dry (Pa)", "wet (Pa)",
+           "wet beyond the dry line (Pa)", "times the diameter (N/m)", "Rumpf (Pa)"});
   std::vector<double> sizes;
   std::vector<std::vector<double>> cohesions;
   for (const std::string scale : {"0.5", "1", "2"}) {
     const auto wet_runs = under_all_loads(folder / "grain_size", "x" + scale + "_w0.01");
     const locus wet = locus_of(wet_runs), dry = locus_of(under_all_loads(folder / "grain_size", "x" + scale + "_w0"));
-    cohesions.push_back(cohesions_at_dry_angle(wet, dry));
-    const measured cohesion = wet.cohesion(), same_angle = mean_of(cohesions.back());
+    cohesions.push_back(beyond_dry_line(wet, dry));
+    const measured beyond = mean_of(cohesions.back());
     const double diameter = wet_runs.front().front().number("sample", "mean_diameter_m");
     sizes.push_back(diameter);
-    const auto times_diameter = [&](const measured& m) {
-      return number("%.3f", m.mean * diameter, m.error * diameter);
-    };
-    t.add({number("%.3f", 1e3 * diameter), with_tenth(dry.angle()), with_tenth(wet.angle()), in_pascal(cohesion),
-           times_diameter(cohesion), in_pascal(same_angle), times_diameter(same_angle),
-           number("%.0f", expected_cohesion(wet, wet_runs[0][0]))});
+    t.add({number("%.3f", 1e3 * diameter), with_tenth(dry.angle()), with_tenth(wet.angle()), in_pascal(dry.cohesion()),
+           in_pascal(wet.cohesion()), in_pascal(beyond),
+           number("%.3f", beyond.mean * diameter, beyond.error * diameter),
+           in_pascal(expected_cohesion(wet, wet_runs[0][0]))});
   }
   const measured slope = exponent(sizes, cohesions);
   t.add({"power of the diameter", "", "", "", "", number("%.2f", slope.mean, slope.error), "", ""});

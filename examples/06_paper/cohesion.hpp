@@ -16,6 +16,6 @@ std::string grain_size(const std::filesystem::path& folder);
 /// What the bridges of the paper's grading would give as cohesion if all of them pulled with f_0: the tangent of the angle
 /// of friction times their isotropic stress, Pa. Source: Rumpf 1962, for several sizes that are not correlated:
 /// solid fraction * bridges * kappa <R^3/2> <R^1/2> / (4 pi <R^3>). `any` is one run of the locus.
-double expected_cohesion(const locus& l, const run& any);
+measured expected_cohesion(const locus& l, const run& any);
 
 }  // namespace paper::shear

@@ -21,14 +21,10 @@ using pendular::io::curve_style;
 
 constexpr std::array waters{"0.02", "0.04", "0.06"};
 
-measured strength(const seeds& s) {
-  return mean_of(each(s, [](const run& r) { return r.number("strength", "peak_stress_Pa"); }));
-}
+double strength_of(const run& r) { return summit_of(stress_curve(r)).stress; }
 
 measured ratio(const seeds& some, const seeds& others) {
-  return mean_of(by_seed(some, others, [](const run& a, const run& b) {
-    return a.number("strength", "peak_stress_Pa") / b.number("strength", "peak_stress_Pa");
-  }));
+  return mean_of(by_seed(some, others, [](const run& a, const run& b) { return strength_of(a) / strength_of(b); }));
 }
 
 measured of(const seeds& s, const char* part, const char* name, double unit = 1) {
@@ -47,15 +43,11 @@ seeds with_own_friction(const fs::path& folder, const std::string& name) {
   return three_runs_of(folder / "own_friction" / ("compression_w" + name));
 }
 
-/// The largest stress of the curves; "≥" where a curve still rises at its end.
-std::string summit_in_pascal(const seeds& s) {
+/// With "≥" where a curve still rises at its end.
+std::string strength_in_pascal(const seeds& s) {
   bool rising = false;
-  const measured found = mean_of(each(s, [&](const run& r) {
-    const summit top = summit_of(stress_curve(r));
-    rising = rising || top.rising;
-    return top.stress;
-  }));
-  return (rising ? "≥ " : "") + in_pascal(found);
+  for (const run& r : s) rising = rising || summit_of(stress_curve(r)).rising;
+  return (rising ? "≥ " : "") + in_pascal(mean_of(each(s, strength_of)));
 }
 
 std::string place_of_summit(const seeds& s) {
@@ -105,9 +97,9 @@ std::string stress_curves(const fs::path& folder, const fs::path& figures) {
     const xy curve = mean_curve(s), own_curve = mean_curve(own);
     p.curves.push_back({"w = " + in_percent(waters[k]) + " %", curve.x, curve.y, curve_style::lines, k, {}});
     p.curves.push_back({"", own_curve.x, own_curve.y, curve_style::dashed, k, {}});
-    t.add({in_percent(waters[k]), in_pascal(strength(s)), place_of_summit(s),
+    t.add({in_percent(waters[k]), strength_in_pascal(s), place_of_summit(s),
            in_pascal(of(s, "strength", "last_stress_Pa")), with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
-           with_hundredth(of(s, "coordination", "contacts_per_grain")), summit_in_pascal(own), place_of_summit(own),
+           with_hundredth(of(s, "coordination", "contacts_per_grain")), strength_in_pascal(own), place_of_summit(own),
            in_pascal(of(own, "strength", "last_stress_Pa"))});
   }
   pendular::io::draw(p, figures / "fig10_axial_stress.png");
@@ -126,8 +118,8 @@ std::string strengths(const fs::path& folder, const fs::path& figures) {
     pendular::io::curve c{each_way.label, {}, {}, curve_style::linespoints, {}, {}};
     for (std::size_t k = 0; k < each_way.count; ++k) {
       const seeds s = each_way.runs(folder, k);
-      const measured found = strength(s), over = ratio(s, ways.front().runs(folder, k));
-      t.add({c.label, in_percent(waters[k]), in_pascal(found), with_hundredth(over),
+      const measured found = mean_of(each(s, strength_of)), over = ratio(s, ways.front().runs(folder, k));
+      t.add({c.label, in_percent(waters[k]), strength_in_pascal(s), with_hundredth(over),
              with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
              with_hundredth(of(s, "liquid", "largest_bridge_over_R3")),
              number("%.0e", of(s, "sample", "unbalanced_force_ratio").mean)});
@@ -166,7 +158,7 @@ std::string relaxation(const fs::path& folder) {
     const seeds s = three_runs_of(folder / of_case);
     const measured surface = of(s, "sample", "surface_settlement_m", 1e-3),
                    centre = of(s, "sample", "centre_settlement_m", 1e-3);
-    t.add({label, in_pascal(strength(s)), number("%.4f", surface.mean, surface.error),
+    t.add({label, strength_in_pascal(s), number("%.4f", surface.mean, surface.error),
            number("%.4f", centre.mean, centre.error), with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
            number("%.0e", of(s, "sample", "unbalanced_force_ratio").mean)});
   };

@@ -29,7 +29,8 @@ struct study {
   std::vector<point> points;
 };
 
-/// Those whose jobs have come to their end. Errors: std::runtime_error if the reference has not.
+/// All of one test; without points if none of its jobs has come to its end. Errors: std::runtime_error if the reference has
+/// not.
 std::vector<study> read(const std::filesystem::path& folder, const std::string& test);
 
 std::string table_of(const std::vector<study>& studies, const std::string& test);
@@ -43,7 +44,9 @@ struct rate_point {
   double viscosity, speed;  // N s/m, m/s
   measured stress;          // Pa
   measured left;            // 1 if the stress neither falls nor rises
+  std::size_t seeds;
 };
+/// Errors: std::runtime_error if no job has come to its end.
 std::vector<rate_point> read_rates(const std::filesystem::path& folder);
 std::string table_of(const std::vector<rate_point>& rates);
 void draw(const std::vector<rate_point>& rates, const std::filesystem::path& file);

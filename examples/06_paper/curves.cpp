@@ -32,8 +32,24 @@ xy compression_curve(const pendular::io::table& t, double diameter) {
   return c;
 }
 
+/// A line of a curve may miss its end by rounding.
+void expect_to_reach(const std::vector<double>& x, double to) {
+  const double last = x.empty() ? 0 : x.back(), spacing = x.size() < 2 ? 0 : last - x[x.size() - 2];
+  if (last + spacing <= to) {
+    throw std::runtime_error("a curve ends at " + std::to_string(last) + " mean diameters, before " +
+                             std::to_string(to));
+  }
+}
+
 double mean_of_column(const pendular::io::table& t, const char* name, double from, double to) {
   return mean_between({t["displacement_over_mean_diameter"], t[name]}, from, to);
+}
+
+/// What the grains and the liquid above the plane weigh, over the area of the cell, Pa.
+double weight_above(const run& r) {
+  constexpr double density = 2700, gravity = 9.81;  // kg/m3, m/s2
+  return r.number("sample", "solid_fraction") * density * (1 + r.numeric_option("water-content")) * gravity *
+         r.number("sample", "split_height_m");
 }
 
 }  // namespace
@@ -59,6 +75,7 @@ xy mean_curve(const seeds& s) {
 }
 
 double mean_between(const xy& curve, double from, double to) {
+  expect_to_reach(curve.x, to);
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     if (curve.x[k] >= from && curve.x[k] <= to) sum += curve.y[k], count += 1;
@@ -67,32 +84,38 @@ double mean_between(const xy& curve, double from, double to) {
 }
 
 summit summit_of(const xy& curve) {
-  const auto top = std::max_element(curve.y.begin(), curve.y.end());
-  return {curve.x[static_cast<std::size_t>(top - curve.y.begin())], *top, curve.y.back() > 0.98 * *top};
+  expect_to_reach(curve.x, window);
+  const auto first = std::lower_bound(curve.x.begin(), curve.x.end(), window) - curve.x.begin();
+  const auto top = std::max_element(curve.y.begin() + first, curve.y.end());
+  const double at = curve.x[static_cast<std::size_t>(top - curve.y.begin())];
+  return {at, *top, at > curve.x.back() - 0.1};
 }
 
 shear_state state_between(const run& r, double from, double to) {
   const auto t = r.curve();
   const auto mean = [&](const char* name) { return mean_of_column(t, name, from, to); };
-  const auto& x = t["displacement_over_mean_diameter"];
-  if (x.empty() || x.back() < from) {
-    throw std::runtime_error("the curve in " + r.folder().string() + " ends before " + std::to_string(from) +
-                             " mean diameters");
-  }
   return {mean("shear_stress_Pa"), mean("plane_stress_Pa"), mean("bridges_per_grain"), mean("height_m")};
 }
 
 shear_state residual_state(const run& r) { return state_between(r, 1, 2); }
 
+shear_state residual_state_over_lid_and_weight(const run& r) {
+  shear_state s = residual_state(r);
+  s.normal = mean_of_column(r.curve(), "lid_stress_Pa", 1, 2) + weight_above(r);
+  return s;
+}
+
 shear_state peak_state(const run& r) {
   const summit top = summit_of(stress_curve(r));
-  shear_state s = state_between(r, top.at - 0.1, top.at + 0.1);
+  shear_state s =
+      state_between(r, top.at - 0.1, std::min(top.at + 0.1, r.curve()["displacement_over_mean_diameter"].back()));
   s.shear = top.stress;
   return s;
 }
 
 double falls_per_diameter(const run& r, double least) {
   const xy c = shear_curve(r.curve());
+  expect_to_reach(c.x, 1);
   double falls = 0, top = 0;  // the stress from which it falls
   bool counted = true;
   for (std::size_t k = 0; k < c.y.size(); ++k) {

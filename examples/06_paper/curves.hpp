@@ -19,20 +19,22 @@ xy stress_curve(const run& r);
 /// Mean of the curves of all seeds, where all of them have values.
 xy mean_curve(const seeds& s);
 
-/// Mean stress between two displacements, mean diameters.
+/// Mean stress between two displacements, mean diameters. Errors: std::runtime_error if the curve does not cover them.
 double mean_between(const xy& curve, double from, double to);
 
-/// Largest stress of a curve and where, mean diameters.
+/// Largest stress of a curve and where, mean diameters, beyond the first 0.05: a sample that was not relaxed springs back
+/// against the lid.
 struct summit {
   double at, stress;
-  bool rising;  // still within a fiftieth of it at the end of the curve: a lower bound
+  bool rising;  // it is in the last 0.1 diameters of the curve: a lower bound
 };
+/// Errors: std::runtime_error if the curve is shorter than 0.05 diameters.
 summit summit_of(const xy& curve);
 
 /// Means of a shear test over a stretch of displacement.
 struct shear_state {
   double shear;    // stress on the plane between the halves, Pa
-  double normal;   // stress on the same plane, from lid and weight, Pa
+  double normal;   // stress on the same plane, from lid, weight and rims, Pa
   double bridges;  // per grain
   double height;   // of the lid, m
 };
@@ -41,11 +43,14 @@ struct shear_state {
 shear_state state_between(const run& r, double from, double to);
 /// From one to two diameters, where the paper's samples are in their residual state.
 shear_state residual_state(const run& r);
+/// The same over the normal stress of the paper, N/S + rho g h (section 3.1.1): lid and weight, without what the rims of the
+/// halves bear.
+shear_state residual_state_over_lid_and_weight(const run& r);
 /// About the largest shear stress: its own value, the rest within 0.1 diameters.
 shear_state peak_state(const run& r);
 
 /// Falls of the stress by more than `least` Pa from one line of the curve to the next ones, beyond one diameter, per mean
-/// diameter of displacement; as long as the stress falls it is one.
+/// diameter of displacement; as long as the stress falls it is one. Errors: std::runtime_error if the curve ends before.
 double falls_per_diameter(const run& r, double least);
 
 }  // namespace paper

@@ -2,6 +2,7 @@
 #include "loci.hpp"
 
 #include <numbers>
+#include <stdexcept>
 
 namespace paper {
 
@@ -81,6 +82,8 @@ locus locus_of(const std::vector<seeds>& loads, const state_function& state) {
     l.normal.insert(l.normal.end(), normal.begin(), normal.end());
     l.shear.insert(l.shear.end(), shear.begin(), shear.end());
   }
+  if (l.lines.empty())
+    throw std::runtime_error("no seed has a run at every load: " + loads.front().front().folder().string());
   return l;
 }
 
@@ -88,7 +91,7 @@ measured added_angle(const locus& wet, const locus& dry) {
   return mean_of(by_seed(wet, dry, [](const seed_line& w, const seed_line& d) { return w.angle() - d.angle(); }));
 }
 
-std::vector<double> cohesions_at_dry_angle(const locus& wet, const locus& dry) {
+std::vector<double> beyond_dry_line(const locus& wet, const locus& dry) {
   return by_seed(wet, dry, [](const seed_line& w, const seed_line& d) {
     return w.mean.shear - d.line.cohesion - d.line.tan_friction * w.mean.normal;
   });

@@ -22,9 +22,7 @@ struct seed_line {
   double angle() const;  // degrees
 };
 
-/// States of samples that differ by load and seed, over the normal stress on the plane between the halves: what the lid
-/// presses, and the weight of what lies above (the paper's sigma, section 3.1.1). A line is fitted to each seed: points of
-/// one packing are not independent.
+/// States of samples that differ by load and seed. A line is fitted to each seed: points of one packing are not independent.
 struct locus {
   std::vector<double> normal, shear;  // of every run, Pa
   std::vector<seed_line> lines;
@@ -38,13 +36,14 @@ struct locus {
 
 using state_function = std::function<shear_state(const run&)>;
 
-/// Takes the seeds that have a run at every load. Errors: input_error for fewer than two loads.
+/// Takes the seeds that have a run at every load. Errors: input_error for fewer than two loads, std::runtime_error if no
+/// seed has them all.
 locus locus_of(const std::vector<seeds>& loads, const state_function& state = residual_state);
 
 /// By how much liquid changes the angle, seed by seed, degrees.
 measured added_angle(const locus& wet, const locus& dry);
 /// What a wet sample bears beyond the line of the dry one of the same seed at the same normal stress, mean of all loads,
-/// for every seed, Pa: its cohesion if the angles are the same, with a smaller error than the intercept's.
-std::vector<double> cohesions_at_dry_angle(const locus& wet, const locus& dry);
+/// for every seed, Pa. If the angles are the same it is by how much the intercepts differ, with a smaller error.
+std::vector<double> beyond_dry_line(const locus& wet, const locus& dry);
 
 }  // namespace paper

@@ -83,7 +83,7 @@ void add_bonds(table& t, const char* name, const seeds& low, const seeds& high, 
   const measured start = mean_of(each(low, [](const run& r) { return r.number("sample", "bridges_per_grain_start"); }));
   t.add({name, number("%.2f", start.mean, start.error), number("%.2f", l.bridges().mean, l.bridges().error),
          in_pascal(over_dry(low, dry, 0.05, 0.3)), in_pascal(over_dry(low, dry, 1, 2)),
-         in_pascal(mean_of(cohesions_at_dry_angle(l, dry_locus))), number("%.0f", expected_cohesion(l, low.front()))});
+         in_pascal(mean_of(beyond_dry_line(l, dry_locus))), in_pascal(expected_cohesion(l, low.front()))});
 }
 
 void draw_own_friction(const seeds& dry, const seeds& wet, const fs::path& folder, const fs::path& file) {
@@ -120,7 +120,7 @@ std::string bonds(const fs::path& folder, const fs::path& figures) {
   const seeds dry = sheared(folder, "0", "300"), full = sheared(folder, "0.01", "300"), half = thinned("t2_s300");
   draw_bonds(full, half, dry, figures);
   table t({"bonds kept", "bridges per grain, start", "from 1 to 2 diameters", "over dry at 0.05 to 0.3 diameters (Pa)",
-           "over dry at 1 to 2 diameters (Pa)", "cohesion, 300 and 800 Pa (Pa)", "Rumpf (Pa)"});
+           "over dry at 1 to 2 diameters (Pa)", "beyond the dry line, 300 and 800 Pa (Pa)", "Rumpf (Pa)"});
   const locus dry_locus = locus_of({dry, sheared(folder, "0", "800")});
   add_bonds(t, "all", full, sheared(folder, "0.01", "800"), dry, dry_locus);
   add_bonds(t, "half", half, thinned("t2_s800"), dry, dry_locus);

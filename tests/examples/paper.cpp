@@ -2,12 +2,14 @@
 // What the figures of the paper are made from: folders of finished jobs, here written by hand.
 #include "../catch.hpp"
 
+#include "../../examples/06_paper/cohesion.hpp"
 #include "../../examples/06_paper/convergence.hpp"
 #include "../../examples/06_paper/curves.hpp"
 #include "../../examples/06_paper/loci.hpp"
 #include "../../examples/06_paper/run.hpp"
 #include "../io/scratch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,19 +20,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A job that ended, as far as its readers look.
+/// A job that ended, as far as its readers look. Every line of its curve has values of its own: a line at x is 10 x beyond
+/// `plane`, and has 5 + x bridges.
 void write_job(const fs::path& folder, const std::string& options, double stress, double time,
                const std::vector<double>& curve = {}, double plane = 500) {
   fs::create_directories(folder);
   std::ofstream(folder / "summary.json")
       << R"({"options": ")" << options << R"(", "strength": {"residual_shear_stress_Pa": )" << stress
       << R"(, "peak_stress_Pa": )" << stress
-      << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5], "mean_diameter_m": 1e-3},)"
+      << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5], "mean_diameter_m": 1e-3,)"
+      << R"("solid_fraction": 0.6, "split_height_m": 0.01},)"
       << R"("cost": {"processor_s_per_step": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
   std::ofstream table(folder / "shear_curve.csv");
-  table << "displacement_over_mean_diameter,shear_stress_Pa,plane_stress_Pa,bridges_per_grain,height_m\n";
+  table << "displacement_over_mean_diameter,shear_stress_Pa,lid_stress_Pa,plane_stress_Pa,bridges_per_grain,height_m\n";
   for (std::size_t k = 0; k < curve.size(); ++k) {
-    table << 0.5 * static_cast<double>(k) << ',' << curve[k] << ',' << plane << ",6,0.02\n";
+    const double x = 0.5 * static_cast<double>(k);
+    table << x << ',' << curve[k] << ',' << 300 + x << ',' << plane + 10 * x << ',' << 5 + x << ',' << 0.02 + x / 1000
+          << '\n';
   }
 }
 
@@ -84,18 +90,36 @@ TEST_CASE("a fall of the stress counts once, beyond one diameter") {
 
 TEST_CASE("a shear test has means over a stretch and about its peak") {
   const scratch::folder folder;
-  write_job(folder / "a", "seed 1", 1, 1, {10, 90, 40, 50, 60}, 700);
+  write_job(folder / "a", "water-content 0.02 seed 1", 1, 1, {10, 90, 40, 50, 60, 1000}, 700);
   const paper::run r(folder / "a");
-  const auto late = paper::residual_state(r), peak = paper::peak_state(r);
-  CHECK((late.shear == 50 && late.normal == 700 && late.bridges == 6 && late.height == 0.02));
-  CHECK((peak.shear == 90 && peak.normal == 700));
-  CHECK_THROWS_AS(paper::state_between(r, 3, 4), std::runtime_error);
+  const auto late = paper::residual_state(r), nominal = paper::residual_state_over_lid_and_weight(r);
+  CHECK((late.shear == 50 && late.normal == 715 && late.bridges == 6.5 && late.height == within(1e-12, 0.0215)));
+  CHECK((nominal.shear == 50 && nominal.bridges == 6.5));
+  CHECK(nominal.normal == within(1e-12, 301.5 + 0.6 * 2700 * 1.02 * 9.81 * 0.01));
+  CHECK_THROWS_AS(paper::state_between(r, 2, 4), std::runtime_error);
+  write_job(folder / "b", "seed 1", 1, 1, {10, 90, 40, 50, 60}, 700);
+  const auto peak = paper::peak_state(paper::run(folder / "b"));
+  CHECK((peak.shear == 90 && peak.normal == 705 && peak.bridges == 5.5));
 }
 
 TEST_CASE("a summit at the end of a curve is a lower bound") {
   const auto top = paper::summit_of({{0, 1, 2}, {5, 10, 7}});
   CHECK((top.at == 1 && top.stress == 10 && !top.rising));
   CHECK(paper::summit_of({{0, 1, 2}, {5, 9, 10}}).rising);
+  CHECK(!paper::summit_of({{0, 1, 2}, {5, 10, 9.9}}).rising);
+}
+
+TEST_CASE("what a sample that springs back presses at first is no summit") {
+  const auto top = paper::summit_of({{0, 0.03, 0.06, 1, 2}, {500, 300, 8, 10, 7}});
+  CHECK((top.at == 1 && top.stress == 10));
+  CHECK_THROWS_AS(paper::summit_of({{0, 0.01}, {1, 2}}), std::runtime_error);
+}
+
+TEST_CASE("a curve has no mean where it has not been") {
+  const paper::xy curve{{0, 0.5, 1}, {1, 2, 3}};
+  CHECK(paper::mean_between(curve, 0.4, 1.2) == 2.5);  // a line is missing at most
+  CHECK_THROWS_AS(paper::mean_between(curve, 0, 1.6), std::runtime_error);
+  CHECK_THROWS_AS(paper::mean_between({}, 0, 1), std::runtime_error);
 }
 
 TEST_CASE("the shortening of a compression counts from where the lid bears the sample") {
@@ -128,9 +152,10 @@ TEST_CASE("means over seeds have standard errors") {
 
 TEST_CASE("a locus has the mean of the lines of its seeds") {
   const scratch::folder folder;
-  // over the plane: seed 1 has cohesion 50 and tangent 0.5, seed 2 70 and 0.5; seed 3 lacks a load
+  // over the plane, 15 Pa more from one to two diameters: seed 1 has cohesion 50 and tangent 0.5, seed 2 70 and 0.5; seed 3
+  // lacks a load
   const auto write = [&](const std::string& group, int seed, double plane, double cohesion) {
-    const double stress = cohesion + 0.5 * plane;
+    const double stress = cohesion + 0.5 * (plane + 15);
     write_job(folder / (group + std::to_string(static_cast<int>(plane))) / ("seed" + std::to_string(seed)),
               "seed " + std::to_string(seed), 1, 1, {0, 0, stress, stress, stress, 0}, plane);
   };
@@ -145,16 +170,35 @@ TEST_CASE("a locus has the mean of the lines of its seeds") {
   CHECK(l.tan_friction().mean == within(1e-12, 0.5));
   CHECK(l.angle().mean == within(1e-12, 26.565051177077990));
   CHECK((l.lines.size() == 2 && l.normal.size() == 4 && l.shear.size() == 4));
-  CHECK(l.lines[1].mean.shear == within(1e-12, 370));
-  CHECK((l.bridges().mean == 6 && l.height().mean == 0.02));
+  CHECK(l.lines[1].mean.shear == within(1e-12, 377.5));
+  CHECK((l.bridges().mean == 6.5 && l.height().mean == within(1e-12, 0.0215)));
   auto dry = paper::locus_of({runs("dry400"), runs("dry900")});
-  const auto added = paper::cohesions_at_dry_angle(l, dry);  // whatever the loads
+  const auto added = paper::beyond_dry_line(l, dry);  // whatever the loads
   REQUIRE(added.size() == 2);
   CHECK((added[0] == within(1e-12, 47) && added[1] == within(1e-12, 64)));
   CHECK(std::abs(paper::added_angle(l, dry).mean) < 1e-12);
   dry.lines[0].seed = "7";
-  CHECK(paper::cohesions_at_dry_angle(l, dry).size() == 1);
+  CHECK(paper::beyond_dry_line(l, dry).size() == 1);
   CHECK_THROWS(paper::locus_of({runs("wet400")}));
+  const auto other = paper::runs_of(folder / "dry900");
+  CHECK_THROWS_AS(paper::locus_of({{runs("dry400")[2]}, other}), std::runtime_error);
+}
+
+TEST_CASE("Rumpf's estimate has the tangent and the bridges of its locus") {
+  const scratch::folder folder;
+  for (const int load : {400, 800}) {
+    const double stress = 50 + 0.5 * (load + 15);
+    write_job(folder / ("s" + std::to_string(load)) / "seed1", "scale 2 kappa 0.4 seed 1", 1, 1,
+              {0, 0, stress, stress, stress}, load);
+  }
+  const auto runs = [&](const char* name) { return paper::runs_of(folder / name); };
+  const auto l = paper::locus_of({runs("s400"), runs("s800")});
+  // radii of 2, 1.5 and 1 mm: <R^3/2>, <R^1/2> and <R^3>, in powers of mm, for 50, 30 and 20 per cent
+  const double high = 0.5 * 2.8284271247 + 0.3 * 1.8371173071 + 0.2,
+               low = 0.5 * 1.4142135624 + 0.3 * 1.2247448714 + 0.2, cube = 0.5 * 8 + 0.3 * 3.375 + 0.2;
+  const double solid = 0.6 * 0.02 / 0.0215;
+  const double expected = 0.5 * 6.5 * solid * 0.4 * high * low / (4 * 3.14159265359 * cube) * 1e3;
+  CHECK(paper::shear::expected_cohesion(l, runs("s400").front()).mean == within(1e-9, expected));
 }
 
 TEST_CASE("a claim has three seeds") {
@@ -186,24 +230,34 @@ TEST_CASE("a study compares by seed with its finest setting") {
   for (const int seed : {1, 2}) {
     const auto name = "seed" + std::to_string(seed);
     const auto options = [&](const char* step) { return options_of(step, seed); };
-    write_job(shear / "reference/reference" / name, options("4e-6"), 100 + 10 * seed, 2);
+    write_job(shear / "reference/reference" / name, "mass-scaling 1 grains 1000 " + options("4e-6"), 100 + 10 * seed,
+              2);
     write_job(compression / "reference/reference" / name, options("4e-6"), 1, 1);
     write_job(shear / "time_step/1e-6" / name, options("9.9999999999999995e-07"), 90 + 11 * seed, 2);
     write_job(shear / "time_step/7e-6" / name, options("7e-6"), 120, 1.75);
   }
   write_job(shear / "skin/0.05/seed1", options_of("4e-6", 1), 110, 3);
+  write_job(shear / "grains/2000/seed1", "grains 2000 " + options_of("4e-6", 1), 200, 3);
+  write_job(shear / "mass_scaling/4/seed2", "mass-scaling 4 " + options_of("8e-6", 2), 150, 3);
   for (const int seed : {1, 2}) {  // packings of their own
     const auto name = "seed" + std::to_string(seed), options = options_of("4e-6", seed);
     write_job(shear / "stiffness/2000" / name, options, 97 + 2 * seed, 1);
     write_job(shear / "stiffness/1000" / name, options, 80 + 20 * seed, 1);
   }
   const auto studies = paper::convergence::read(fs::path(shear).parent_path(), "shear");
-  REQUIRE(studies.size() == 3);
-  CHECK(studies[2].points[0].value == "0.05");  // not among the options that decide results
-  CHECK(studies[2].points[0].time == 1.5);
-  CHECK(studies[1].points[1].change.mean == within(1e-12, 0.1));
-  CHECK(studies[1].points[1].change.error == within(1e-12, std::sqrt(101.0) / 100));
-  const auto& points = studies[0].points;
+  const auto points_of = [&](const char* name) {
+    return std::find_if(studies.begin(), studies.end(), [&](const auto& s) { return s.name == name; })->points;
+  };
+  CHECK(studies.size() == 7);  // none of the wall's speed
+  CHECK((points_of("skin")[0].value == "0.05" && points_of("skin")[0].time == 1.5));
+  CHECK(points_of("stiffness")[1].change.mean == within(1e-12, 0.1));
+  CHECK(points_of("stiffness")[1].change.error == within(1e-12, std::sqrt(101.0) / 100));
+  // one packing has another mass: the reference's run on it; all of its runs where there are other packings anyway
+  CHECK((points_of("mass_scaling")[0].seeds == 1 && points_of("mass_scaling")[0].stress.mean == 120));
+  CHECK(points_of("mass_scaling")[1].change.mean == within(1e-12, 0.25));
+  CHECK((points_of("grains")[1].seeds == 2 && points_of("grains")[1].change.mean == within(1e-12, 115.0 / 200 - 1)));
+  CHECK(points_of("shear_speed").empty());
+  const auto points = points_of("time_step");
   REQUIRE(points.size() == 3);
   CHECK(points[0].stress.mean == 106.5);
   CHECK((points[0].change.mean == 0 && points[0].time == 4));
@@ -214,4 +268,6 @@ TEST_CASE("a study compares by seed with its finest setting") {
   CHECK(points[2].worst_book == 1e-4);
   const auto text = paper::convergence::table_of(studies, "shear");
   CHECK(text.find("| 1e-06 | 106.5 ± 5.5 | 2 | finest | 4.00 | 1e-04 |") != std::string::npos);
+  CHECK(text.find("| speed (m/s) | not run yet |") != std::string::npos);
+  CHECK_THROWS_AS(paper::convergence::read_rates(fs::path(shear).parent_path()), std::runtime_error);
 }

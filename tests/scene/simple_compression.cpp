@@ -189,6 +189,13 @@ TEMPLATE_TEST_CASE("a small compression runs through its stages and resumes from
   CHECK(stages.size() == 2);
 }
 
+TEST_CASE("stress on another area than the packing's is refused") {
+  auto p = small_test();
+  p.area *= 1.01;
+  scene::simple_compression test(p, rough, wet_by(protocol::none{}));
+  CHECK_THROWS_AS(test.start(packed()), input_error);
+}
+
 TEST_CASE("a checkpoint of another composition is refused") {
   const scratch::folder folder;
   std::vector<fs::path> kept;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 #include <string>
 
 namespace pendular::scene {
@@ -59,8 +60,11 @@ class simple_compression {
   simple_compression(const compression_parameters& p, const Material& m, const Liquid& l)
       : parameters_(checked(p)), system_(m, l, plates(), integrator(p), p.numerics) {}
 
-  /// Wets the grains. Errors: input_error where the wet scene breaks a limit.
+  /// Wets the grains. Errors: input_error where the area is not that of the packing or the wet scene breaks a limit.
   void start(const sealed_packing& packing) {
+    const double section = std::numbers::pi * packing.cylinder_radius * packing.cylinder_radius;
+    expects(std::abs(parameters_.area / section - 1) < 1e-9, "the area of the sample (m2)", parameters_.area,
+            "that of the packing's cylinder", "docs/reference/scenes.md");
     result_.sealed_height = packing.height;
     result_.solid_fraction = packing.solid_fraction;
     for (grain g : packing.grains) {

@@ -57,10 +57,10 @@ std::string place_of_summit(const seeds& s) {
 
 /// Eq. 12 at the paper's step and at the longer one of the other runs, where both have values.
 std::string table_of_steps(const fs::path& folder) {
-  table t({"friction, w = 2 %", "time step (s)", "mean stress from 0.1 to 0.3 diameters (Pa)"});
+  table t({"friction, w = 2 %", "time step (s)", "mean stress from 0.1 to 0.25 diameters (Pa)"});
   const auto row = [&](const char* friction, const char* step, const seeds& s) {
     t.add({friction, step,
-           in_pascal(mean_of(each(s, [](const run& r) { return mean_between(stress_curve(r), 0.1, 0.3); })))});
+           in_pascal(mean_of(each(s, [](const run& r) { return mean_between(stress_curve(r), 0.1, 0.25); })))});
   };
   row("Eq. 12", "1e-6", with_own_friction(folder, "0.02_1e-6"));
   row("Eq. 12", "3.5e-6", with_own_friction(folder, "0.02"));

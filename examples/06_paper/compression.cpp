@@ -112,6 +112,7 @@ std::string strengths(const fs::path& folder, const fs::path& figures) {
   p.x_label = "water content (%)";
   p.y_label = "compressive strength (Pa)";
   p.x_range = {{1.5, 6.5}};
+  p.y_range = {{0, 600}};
   table t({"bonds", "w (%)", "strength (Pa)", "over P1", "bridges per grain, start", "largest V_b/R³",
            "unbalanced force ratio, start"});
   for (const way& each_way : ways) {

@@ -69,11 +69,11 @@ foreach(water 0.02 0.04 0.06)
 endforeach()
 # these hardly bear their own weight and take longer to come to rest
 foreach(water 0.02 0.04)
-  pendular_campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 --relaxation 1 --duration 2
+  pendular_campaign(compression half_bonds w${water} --water-content ${water} --thinning 2 --relaxation 1 --duration 1.2
                     ${quiet})
 endforeach()
 pendular_campaign(compression not_relaxed w0.02 --relaxation 0 ${quiet})
-pendular_campaign(compression not_relaxed half_bonds_w0.02 --relaxation 0 --thinning 2 --duration 2 ${quiet})
+pendular_campaign(compression not_relaxed half_bonds_w0.02 --relaxation 0 --thinning 2 --duration 1.2 ${quiet})
 # Cohesion over grain size, in samples of 2000: stiffness, step and displacement go with the size; friction comes at a solid
 # fraction that all of them reach
 foreach(scale_stiffness_step_displacement 0.5:1375:6.6e-6:1.65e-3 1:2750:1.32e-5:3.3e-3 2:5500:2.64e-5:6.6e-3)

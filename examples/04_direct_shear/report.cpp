@@ -5,6 +5,7 @@
 
 #include <pendular/io/plot.hpp>
 #include <pendular/io/table.hpp>
+#include <pendular/scene/packing.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -85,7 +86,8 @@ void draw_curve(const options& o, const curve& c) {
 
 /// Shear rate across five mean diameters times the time in which the load moves a grain by its size.
 double inertial_number(const options& o) {
-  return o.shear_speed / 5 * std::sqrt(2700 * o.mass_scaling / o.normal_stress);
+  return o.shear_speed / 5 *
+         std::sqrt(pendular::scene::packing_parameters{}.density * o.mass_scaling / o.normal_stress);
 }
 
 json strength(const options& o, const curve& c) {

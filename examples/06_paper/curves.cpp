@@ -3,6 +3,8 @@
 
 #include "../common/curve.hpp"
 
+#include <pendular/scene/packing.hpp>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -47,9 +49,9 @@ double mean_of_column(const pendular::io::table& t, const char* name, double fro
 
 /// What the grains and the liquid above the plane weigh, over the area of the cell, Pa.
 double weight_above(const run& r) {
-  constexpr double density = 2700, gravity = 9.81;  // kg/m3, m/s2
-  return r.number("sample", "solid_fraction") * density * (1 + r.numeric_option("water-content")) * gravity *
-         r.number("sample", "split_height_m");
+  const pendular::scene::packing_parameters usual;
+  return r.number("sample", "solid_fraction") * usual.density * (1 + r.numeric_option("water-content")) *
+         usual.gravity * r.number("sample", "split_height_m");
 }
 
 }  // namespace

@@ -193,11 +193,18 @@ TEST_CASE("Rumpf's estimate has the tangent and the bridges of its locus") {
   }
   const auto runs = [&](const char* name) { return paper::runs_of(folder / name); };
   const auto l = paper::locus_of({runs("s400"), runs("s800")});
-  // radii of 2, 1.5 and 1 mm: <R^3/2>, <R^1/2> and <R^3>, in powers of mm, for 50, 30 and 20 per cent
-  const double high = 0.5 * 2.8284271247 + 0.3 * 1.8371173071 + 0.2,
-               low = 0.5 * 1.4142135624 + 0.3 * 1.2247448714 + 0.2, cube = 0.5 * 8 + 0.3 * 3.375 + 0.2;
-  const double solid = 0.6 * 0.02 / 0.0215;
-  const double expected = 0.5 * 6.5 * solid * 0.4 * high * low / (4 * 3.14159265359 * cube) * 1e3;
+  // pressure as a third of force times branch over the volume (Love-Weber), summed over the bridges between all sizes
+  const std::vector<double> radii{2e-3, 1.5e-3, 1e-3}, shares{0.5, 0.3, 0.2};
+  double virial = 0, grain_volume = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    grain_volume += shares[i] * 4.18879020478639 * std::pow(radii[i], 3);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double force = 0.4 * std::sqrt(radii[i] * radii[j]);
+      virial += 6.5 / 2 * shares[i] * shares[j] * force * (radii[i] + radii[j]);
+    }
+  }
+  const double volume = grain_volume / (0.6 * 0.02 / 0.0215);
+  const double expected = 0.5 * virial / 3 / volume;
   CHECK(paper::shear::expected_cohesion(l, runs("s400").front()).mean == within(1e-9, expected));
 }
 

@@ -44,17 +44,17 @@ void fill(Grains& g, const std::vector<double>& flat) {
 /// visit("name", column tag) for every column that a checkpoint keeps as numbers.
 template <class Grains, class Visit>
 void for_each_column(const Visit& visit) {
-  visit("grain.position", column::position{});
-  visit("grain.velocity", column::velocity{});
-  visit("grain.force", column::force{});
-  visit("grain.radius", column::radius{});
-  visit("grain.inverse_mass", column::inverse_mass{});
+  visit("grain.position", pendular::column::position{});
+  visit("grain.velocity", pendular::column::velocity{});
+  visit("grain.force", pendular::column::force{});
+  visit("grain.radius", pendular::column::radius{});
+  visit("grain.inverse_mass", pendular::column::inverse_mass{});
   if constexpr (Grains::rotate) {
-    visit("grain.angular_velocity", column::angular_velocity{});
-    visit("grain.torque", column::torque{});
-    visit("grain.inverse_inertia", column::inverse_inertia{});
+    visit("grain.angular_velocity", pendular::column::angular_velocity{});
+    visit("grain.torque", pendular::column::torque{});
+    visit("grain.inverse_inertia", pendular::column::inverse_inertia{});
   }
-  if constexpr (Grains::count_contacts) visit("grain.contacts", column::contacts{});
+  if constexpr (Grains::count_contacts) visit("grain.contacts", pendular::column::contacts{});
 }
 
 /// Contact memories that are not all zero: key (one id, or two), then the numbers.
@@ -180,7 +180,7 @@ void get_grains(const checkpoint_reader& in, Grains& g) {
   g.resize(count);
   for_each_column<Grains>(
       [&](const std::string& name, auto column) { fill<decltype(column)>(g, in.get<std::vector<double>>(name)); });
-  const auto ids = g.template get<column::id>();
+  const auto ids = g.template get<pendular::column::id>();
   for (std::size_t k = 0; k < count; ++k) ids[k] = static_cast<std::int64_t>(k);
 }
 

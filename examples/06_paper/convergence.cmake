@@ -9,6 +9,7 @@ set(compression_usual --grains 1000 --duration 0.6 --no-pictures --snapshots 0)
 # twice the seeds in shear, which scatters more
 set(shear_seeds 16)
 set(compression_seeds 8)
+set(law_seeds 8)
 foreach(test shear compression)
   foreach(seed RANGE 1 ${${test}_seeds})
     pendular_packing("${folder}/packings/${test}/seed${seed}" ${${test}} --grains 1000 --seed ${seed})
@@ -85,10 +86,10 @@ foreach(skin 0.05 0.2 0.5)
   pendular_study(compression skin ${skin} 1 --skin ${skin} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
-pendular_study(shear dry dry ${shear_seeds} --water-content 0)
+pendular_study(shear dry dry ${law_seeds} --water-content 0)
 foreach(law richefeu-harmonic willett laplace-young)
-  pendular_study(shear law ${law} ${shear_seeds} --law ${law})
-  pendular_study(compression law ${law} ${compression_seeds} --law ${law} --time-step 4e-6 --mass-scaling 1)
+  pendular_study(shear law ${law} ${law_seeds} --law ${law})
+  pendular_study(compression law ${law} ${law_seeds} --law ${law} --time-step 4e-6 --mass-scaling 1)
 endforeach()
 
 # Eq. 12: in time steps, then in gamma_t and speed

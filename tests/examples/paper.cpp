@@ -278,3 +278,25 @@ TEST_CASE("a study compares by seed with its finest setting") {
   CHECK(text.find("| speed (m/s) | not run yet |") != std::string::npos);
   CHECK_THROWS_AS(paper::convergence::read_rates(fs::path(shear).parent_path()), std::runtime_error);
 }
+
+TEST_CASE("capillary laws are compared on the packings that all of them had") {
+  const scratch::folder folder;
+  const auto shear = folder / "shear", compression = folder / "compression";
+  const auto options = [](int seed) { return options_of("4e-6", seed); };
+  for (const std::string law : {"law/richefeu-harmonic", "law/willett", "law/laplace-young"}) {
+    for (const int seed : {1, 2}) {
+      write_job(compression / law / ("seed" + std::to_string(seed)), options(seed), 90 + 10 * seed, 3);
+      write_job(shear / law / ("seed" + std::to_string(seed)), options(seed), 270 + 10 * seed, 1);
+    }
+  }
+  for (const int seed : {1, 2, 3}) {
+    const auto name = "reference/reference/seed" + std::to_string(seed);
+    write_job(compression / name, options(seed), 120 + 10 * seed, 2);
+    write_job(shear / name, options(seed), 290 + 100 * seed * (seed - 1), 1);
+  }
+  for (const int seed : {1, 2}) write_job(shear / ("dry/dry/seed" + std::to_string(seed)), options(seed), 200, 1);
+  const auto text = paper::convergence::table_of_laws(fs::path(shear).parent_path());
+  // compressed 130, 140, 150 Pa, 30 Pa more than 100 and 110 where there are both; sheared 90 and 290 Pa more than dry
+  CHECK(text.find("| `richefeu` | 3 | 140 ± 6 | +28.6 ± 0.0 | 2 | 190 ± 100 | 1.00 |") != std::string::npos);
+  CHECK(text.find("| `willett` | 2 | 105 ± 5 | +0.0 ± 0.0 | 2 | 85 ± 5 | 1.50 |") != std::string::npos);
+}

@@ -105,6 +105,17 @@ seeds with_seeds_of(const seeds& some, const seeds& reference) {
   return found;
 }
 
+/// Mass and step go together: the finest is the mass as it is at the finest step of another series.
+void put_finest_step(std::vector<setting>& settings, const series& kind, const std::filesystem::path& folder) {
+  if (kind.name != std::string("mass_scaling")) return;
+  std::vector<setting> steps = cases(folder / "time_step");
+  if (steps.empty()) return;
+  const auto smallest = std::min_element(steps.begin(), steps.end(), [](const setting& a, const setting& b) {
+    return std::stod(a.first) < std::stod(b.first);
+  });
+  settings.insert(settings.begin(), {settings.front().first + " at " + smallest->first + " s", smallest->second});
+}
+
 study study_of(const series& kind, const std::filesystem::path& folder, const seeds& reference,
                const std::string& test) {
   study found{test, kind.name, kind.title, {}};
@@ -117,6 +128,7 @@ study study_of(const series& kind, const std::filesystem::path& folder, const se
   }
   std::stable_sort(settings.begin(), settings.end(),
                    [&](const setting& a, const setting& b) { return finer(kind, a, b); });
+  put_finest_step(settings, kind, folder);
   for (const setting& s : settings) {
     found.points.push_back(point_of(s, settings.front().second, kind, test));
     found.points.back().time /= time_of(reference);

@@ -259,9 +259,11 @@ TEST_CASE("a study compares by seed with its finest setting") {
   CHECK((points_of("skin")[0].value == "0.05" && points_of("skin")[0].time == 1.5));
   CHECK(points_of("stiffness")[1].change.mean == within(1e-12, 0.1));
   CHECK(points_of("stiffness")[1].change.error == within(1e-12, std::sqrt(101.0) / 100));
-  // one packing has another mass: the reference's run on it; all of its runs where there are other packings anyway
-  CHECK((points_of("mass_scaling")[0].seeds == 1 && points_of("mass_scaling")[0].stress.mean == 120));
-  CHECK(points_of("mass_scaling")[1].change.mean == within(1e-12, 0.25));
+  // mass as it is at the finest step of all; one packing has another mass: the reference's run on it; all of its runs where
+  // there are other packings anyway
+  CHECK((points_of("mass_scaling")[0].value == "1 at 1e-6 s" && points_of("mass_scaling")[0].stress.mean == 106.5));
+  CHECK((points_of("mass_scaling")[1].seeds == 1 && points_of("mass_scaling")[1].stress.mean == 120));
+  CHECK(points_of("mass_scaling")[2].change.mean == within(1e-12, 38.0 / 106.5));
   CHECK((points_of("grains")[1].seeds == 2 && points_of("grains")[1].change.mean == within(1e-12, 115.0 / 200 - 1)));
   CHECK(points_of("shear_speed").empty());
   const auto points = points_of("time_step");

@@ -40,6 +40,7 @@ constexpr std::array all_series{
     series{"both", "stiffness", "k_n (N/m)", "stiffness", finest::largest, false, true},
     series{"both", "grains", "grains", "grains", finest::largest, true, true},
     series{"both", "skin", "list skin over smallest radius", "skin", finest::largest, false, false},
+    series{"both", "viscosity", "γ_t with Eq. 12 (N s/m)", "tangential-viscosity", finest::largest, false, false},
     series{"both", "viscous_time_step", "time step with Eq. 12 (s)", "time-step", finest::smallest, false, false}};
 
 double stress_of(const run& r, const std::string& test) {
@@ -105,15 +106,22 @@ seeds with_seeds_of(const seeds& some, const seeds& reference) {
   return found;
 }
 
-/// Mass and step go together: the finest is the mass as it is at the finest step of another series.
-void put_finest_step(std::vector<setting>& settings, const series& kind, const std::filesystem::path& folder) {
-  if (kind.name != std::string("mass_scaling")) return;
+/// The mass as it is at the finest step of another series, as mass and step go together.
+std::vector<setting> finest_step(const setting& coarser, const std::filesystem::path& folder) {
   std::vector<setting> steps = cases(folder / "time_step");
-  if (steps.empty()) return;
+  if (steps.empty()) return {};
   const auto smallest = std::min_element(steps.begin(), steps.end(), [](const setting& a, const setting& b) {
     return std::stod(a.first) < std::stod(b.first);
   });
-  settings.insert(settings.begin(), {settings.front().first + " at " + smallest->first + " s", smallest->second});
+  return {{coarser.first + " at " + smallest->first + " s", smallest->second}};
+}
+
+/// What is finer than every value of a series: the finest step; for the viscosity of Eq. 12, the friction without a rate.
+std::vector<setting> beyond_finest(const series& kind, const setting& best, const std::filesystem::path& folder,
+                                   const seeds& reference) {
+  if (kind.name == std::string("mass_scaling")) return finest_step(best, folder);
+  if (kind.name == std::string("viscosity")) return {{"`coulomb_spring`", with_seeds_of(best.second, reference)}};
+  return {};
 }
 
 study study_of(const series& kind, const std::filesystem::path& folder, const seeds& reference,
@@ -128,7 +136,8 @@ study study_of(const series& kind, const std::filesystem::path& folder, const se
   }
   std::stable_sort(settings.begin(), settings.end(),
                    [&](const setting& a, const setting& b) { return finer(kind, a, b); });
-  put_finest_step(settings, kind, folder);
+  const std::vector<setting> best = beyond_finest(kind, settings.front(), folder, reference);
+  settings.insert(settings.begin(), best.begin(), best.end());
   for (const setting& s : settings) {
     found.points.push_back(point_of(s, settings.front().second, kind, test));
     found.points.back().time /= time_of(reference);

@@ -245,6 +245,7 @@ TEST_CASE("a study compares by seed with its finest setting") {
   }
   write_job(shear / "skin/0.05/seed1", options_of("4e-6", 1), 110, 3);
   write_job(shear / "grains/2000/seed1", "grains 2000 " + options_of("4e-6", 1), 200, 3);
+  write_job(shear / "viscosity/1/seed2", options_of("4e-6", 2), 90, 3);
   write_job(shear / "mass_scaling/4/seed2", "mass-scaling 4 " + options_of("8e-6", 2), 150, 3);
   for (const int seed : {1, 2}) {  // packings of their own
     const auto name = "seed" + std::to_string(seed), options = options_of("4e-6", seed);
@@ -255,7 +256,7 @@ TEST_CASE("a study compares by seed with its finest setting") {
   const auto points_of = [&](const char* name) {
     return std::find_if(studies.begin(), studies.end(), [&](const auto& s) { return s.name == name; })->points;
   };
-  CHECK(studies.size() == 7);  // none of the wall's speed
+  CHECK(studies.size() == 8);  // none of the wall's speed
   CHECK((points_of("skin")[0].value == "0.05" && points_of("skin")[0].time == 1.5));
   CHECK(points_of("stiffness")[1].change.mean == within(1e-12, 0.1));
   CHECK(points_of("stiffness")[1].change.error == within(1e-12, std::sqrt(101.0) / 100));
@@ -264,6 +265,9 @@ TEST_CASE("a study compares by seed with its finest setting") {
   CHECK((points_of("mass_scaling")[0].value == "1 at 1e-6 s" && points_of("mass_scaling")[0].stress.mean == 106.5));
   CHECK((points_of("mass_scaling")[1].seeds == 1 && points_of("mass_scaling")[1].stress.mean == 120));
   CHECK(points_of("mass_scaling")[2].change.mean == within(1e-12, 38.0 / 106.5));
+  // with Eq. 12 against the reference on the same packing
+  CHECK((points_of("viscosity")[0].value == "`coulomb_spring`" && points_of("viscosity")[0].stress.mean == 120));
+  CHECK(points_of("viscosity")[1].change.mean == within(1e-12, -0.25));
   CHECK((points_of("grains")[1].seeds == 2 && points_of("grains")[1].change.mean == within(1e-12, 115.0 / 200 - 1)));
   CHECK(points_of("shear_speed").empty());
   const auto points = points_of("time_step");

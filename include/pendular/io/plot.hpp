@@ -44,8 +44,9 @@ struct plot {
 
 namespace detail {
 
-/// Okabe and Ito's palette without its yellow: told apart also by the colour-blind.
-inline constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"};
+/// Okabe and Ito's palette with a grey for its yellow: told apart also by the colour-blind.
+inline constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                    "#56B4E9", "#E69F00", "#000000", "#888888"};
 
 /// `text` as a gnuplot string, in which nothing is special; a line break would end the command.
 inline std::string gnuplot_quoted(std::string_view text) {
@@ -75,7 +76,7 @@ inline std::string gnuplot_data(const curve& c, std::size_t number) {
 }
 
 inline std::string gnuplot_style(const curve& c, std::size_t number) {
-  static constexpr std::array markers{7, 5, 9, 13, 11, 6, 4};  // filled ones first
+  static constexpr std::array markers{7, 5, 9, 13, 11, 6, 4, 8};  // filled ones first
   const std::size_t place = c.colour.value_or(number) % palette.size();
   const std::string colour = std::string{" linecolor rgb '"} + palette[place] + "'";
   const std::string marker = " pointsize 1.3 pointtype " + std::to_string(markers[number % markers.size()]);

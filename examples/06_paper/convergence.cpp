@@ -21,6 +21,9 @@ using examples::markdown::number;
 
 enum class finest { smallest, largest };
 
+/// What is finer than every value of a series.
+enum class beyond { nothing, finest_step, reference };
+
 /// What is varied: an option of the jobs.
 struct series {
   const char* test;  // or both
@@ -30,17 +33,19 @@ struct series {
   finest best;
   bool with_reference;
   bool own_packings;  // not those of the reference: nothing is shared between runs of the same seed
+  beyond finer = beyond::nothing;
 };
 
 constexpr std::array all_series{
     series{"both", "time_step", "time step (s)", "time-step", finest::smallest, true, false},
-    series{"both", "mass_scaling", "mass scaling", "mass-scaling", finest::smallest, true, false},
+    series{"both", "mass_scaling", "mass scaling", "mass-scaling", finest::smallest, true, false, beyond::finest_step},
     series{"shear", "shear_speed", "speed (m/s)", "shear-speed", finest::smallest, true, false},
     series{"compression", "wall_speed", "speed (m/s)", "wall-speed", finest::smallest, true, false},
     series{"both", "stiffness", "k_n (N/m)", "stiffness", finest::largest, false, true},
     series{"both", "grains", "grains", "grains", finest::largest, true, true},
     series{"both", "skin", "list skin over smallest radius", "skin", finest::largest, false, false},
-    series{"both", "viscosity", "γ_t with Eq. 12 (N s/m)", "tangential-viscosity", finest::largest, false, false},
+    series{"both", "viscosity", "γ_t with Eq. 12 (N s/m)", "tangential-viscosity", finest::largest, false, false,
+           beyond::reference},
     series{"both", "viscous_time_step", "time step with Eq. 12 (s)", "time-step", finest::smallest, false, false}};
 
 double stress_of(const run& r, const std::string& test) {
@@ -116,11 +121,11 @@ std::vector<setting> finest_step(const setting& coarser, const std::filesystem::
   return {{coarser.first + " at " + smallest->first + " s", smallest->second}};
 }
 
-/// What is finer than every value of a series: the finest step; for the viscosity of Eq. 12, the friction without a rate.
+/// None, or one setting: the finest step of all, or the reference, whose friction has no rate.
 std::vector<setting> beyond_finest(const series& kind, const setting& best, const std::filesystem::path& folder,
                                    const seeds& reference) {
-  if (kind.name == std::string("mass_scaling")) return finest_step(best, folder);
-  if (kind.name == std::string("viscosity")) return {{"`coulomb_spring`", with_seeds_of(best.second, reference)}};
+  if (kind.finer == beyond::finest_step) return finest_step(best, folder);
+  if (kind.finer == beyond::reference) return {{"`coulomb_spring`", with_seeds_of(best.second, reference)}};
   return {};
 }
 

@@ -38,7 +38,12 @@ void describe(CLI::App& app, options& o) {
   app.add_option("--displacement", o.displacement, "of the upper half, m")
       ->check(examples::positive)
       ->capture_default_str();
-  app.add_option("--solid-fraction", o.solid_fraction, "at which friction comes, if the sample gets so dense")
+  app.add_option("--preparation-friction", o.preparation_friction,
+                 "between grains while they are deposited; 0 is densest")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  app.add_option("--solid-fraction", o.solid_fraction,
+                 "over the cell, at which friction comes, if the sample gets so dense without")
       ->check(CLI::Range(0.3, 0.73))
       ->capture_default_str();
   app.add_option("--wall-friction", o.wall_friction, "of both halves; what is not 0 adds to the normal stress")
@@ -66,7 +71,7 @@ std::string options::physics() const {
   std::ostringstream text;
   text.precision(17);
   text << physics_of(*this) << " normal-stress " << normal_stress << " shear-speed " << shear_speed << " displacement "
-       << displacement << " solid-fraction " << solid_fraction << " wall-friction " << wall_friction
+       << displacement << " preparation-friction " << preparation_friction << " solid-fraction " << solid_fraction << " wall-friction " << wall_friction
        << " plate-friction " << plate_friction << " scale " << scale << " packing " << examples::label_of(packing)
        << " grains " << grains << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
   return text.str();
@@ -77,6 +82,8 @@ std::vector<std::string> options::departures() const {
   const options usual;
   list.add(grains != usual.grains, "grains: ", grains, " in a cell of their size; the paper has 7307 in 46 mm");
   list.add(scale != 1, "scale: grains and cell ", scale, " times the paper's");
+  list.add(preparation_friction != 0.4, "preparation: friction ", preparation_friction,
+           " between grains while they fall; in the test it is 0.4");
   list.add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
   list.add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
   list.add(true, "open in the paper, chosen here: speed ", shear_speed, " m/s, friction of the halves ", wall_friction,

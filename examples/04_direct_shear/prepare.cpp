@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run.hpp"
 
-using namespace pendular;
+#include "../common/preparation.hpp"
 
 namespace {
-scene::packing_parameters parameters(const options& o) {
-  scene::packing_parameters p;
+pendular::scene::packing_parameters parameters(const options& o) {
+  pendular::scene::packing_parameters p;
   p.grains = o.grains;
   p.sizes = o.grain_sizes();
   p.cylinder_radius = o.cell_radius();
@@ -18,12 +18,7 @@ scene::packing_parameters parameters(const options& o) {
 }
 }  // namespace
 
-scene::sealed_packing prepare(const options& o, const examples::restart& from, const scene::monitor& watch) {
-  if (!o.packing.empty()) return scene::load_packing(io::checkpoint_reader(o.packing), parameters(o));
-  const material smooth{normal::linear{o.stiffness}, damping::viscous{0.8}};
-  scene::packing packing(parameters(o), smooth, smooth);
-  if (from) packing.resume(*from);
-  const scene::sealed_packing deposited = packing.run(watch);
-  scene::write(deposited, o.output / "packing.bin");
-  return deposited;
+pendular::scene::sealed_packing prepare(const options& o, const examples::restart& from,
+                                        const pendular::scene::monitor& watch) {
+  return examples::packing_of(o, parameters(o), from, watch);
 }

@@ -5,6 +5,7 @@
 
 #include <pendular/io/plot.hpp>
 #include <pendular/io/table.hpp>
+#include <pendular/observe/circle_overlap.hpp>
 #include <pendular/scene/packing.hpp>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,13 @@ class curve {
   double mean_diameter_;
 };
 
+/// Of the halves of the cell, over its area.
+std::vector<double> shared_area(const options& o, const curve& c) {
+  const double radius = o.cell_radius(), whole = std::numbers::pi * radius * radius;
+  return c.column(
+      [&](const line& l) { return pendular::observe::circle_overlap(radius, radius, l.displacement) / whole; });
+}
+
 void write_curve(const options& o, const curve& c) {
   const auto add = [&](const char* name, auto value) { return pendular::io::column{name, c.column(value)}; };
   pendular::io::write_table(o.output / "shear_curve.csv",
@@ -62,6 +71,7 @@ void write_curve(const options& o, const curve& c) {
                                 {"shear_stress_smoothed_Pa", c.smooth()},
                                 add("lid_stress_Pa", [](const line& l) { return l.stress.lid; }),
                                 {"plane_stress_Pa", c.plane_stress()},
+                                {"shared_area_over_cell", shared_area(o, c)},
                                 add("height_m", [](const line& l) { return l.height; }),
                                 add("contacts_per_grain", [](const line& l) { return l.contacts; }),
                                 add("bridges_per_grain", [](const line& l) { return l.bridges; }),
@@ -114,10 +124,14 @@ json summary(const options& o, const pendular::scene::shear_result& r, const cur
            {"consolidation_time_s", r.sample.consolidation_time},
            {"solid_fraction", r.sample.solid_fraction},
            {"split_height_m", r.sample.split_height},
-           {"start_height_m", r.sample.start_height},
+           {"start_height_m", r.sample.start.height},
            {"bridges_per_grain_initial", r.sample.initial_bridges},
-           {"bridges_per_grain_start", r.sample.start_bridges},
-           {"unbalanced_force_ratio", r.sample.unbalanced_force},
+           {"bridges_per_grain_start", r.sample.start.bridges},
+           {"unbalanced_force_ratio", r.sample.start.unbalanced_force},
+           {"shear_stress_start_Pa", r.sample.start.shear_stress},
+           {"solid_fraction_start", r.sample.start.density.cell},
+           {"solid_fraction_bulk", r.sample.start.density.bulk},
+           {"solid_fraction_near_walls", r.sample.start.density.near_walls},
            {"mean_diameter_m", f.mean_diameter}}},
          {"strength", strength(o, c)},
          {"end",
@@ -136,6 +150,9 @@ void print(const json& s) {
   std::printf("\nSample       solid fraction %.4f after %.3f s, height %.3f mm, split at %.3f mm\n",
               number("sample", "solid_fraction"), number("sample", "consolidation_time_s"),
               1e3 * number("sample", "start_height_m"), 1e3 * number("sample", "split_height_m"));
+  std::printf("Density      at the start %.4f over the cell, %.4f in the bulk, %.4f near the walls\n",
+              number("sample", "solid_fraction_start"), number("sample", "solid_fraction_bulk"),
+              number("sample", "solid_fraction_near_walls"));
   std::printf("Shear        residual %.1f +- %.1f Pa from %g mean diameters on, peak %.1f Pa at %.2f\n",
               number("strength", "residual_shear_stress_Pa"), number("strength", "residual_shear_stress_error_Pa"),
               number("strength", "residual_from_mean_diameters"), number("strength", "peak_shear_stress_Pa"),

@@ -157,7 +157,7 @@ TEST_CASE("the work of upper half and lid is that of their stresses, and the ene
   };
   const scene::shear_result r = test.run({});
   const double area = small_test().area();
-  double expected = 0, height = r.sample.start_height;
+  double expected = 0, height = r.sample.start.height;
   for (const auto& line : r.records) {
     expected += line.stress.shear * area * 1e-5 - line.stress.lid * area * (line.height - height);
     height = line.height;

@@ -190,9 +190,8 @@ class direct_shear {
 
   void start_shear() {
     auto& sample = result_.sample;
-    sample.start_height = lid().shape.point.z;
-    sample.start_bridges = observe::coordination_of(system_).bridges;
-    sample.unbalanced_force = observe::unbalanced_force_ratio(system_);
+    sample.start = {lid().shape.point.z, observe::coordination_of(system_).bridges,
+                    observe::unbalanced_force_ratio(system_), stresses().shear, density()};
     result_.reference = positions_by_id(system_.particles());
     result_.energy_at_start = observe::energies_of(system_);
     if (look) look(system_, result_);
@@ -243,6 +242,12 @@ class direct_shear {
     const double below = -boundary::get<0>(system_.walls()).force.z - lower_half().force.z - weight;
     return {-(upper_half().force.x + lid().force.x) / parameters_.area(), lid().force.z / parameters_.area(),
             below / parameters_.area()};
+  }
+
+  observe::solid_fractions density() {
+    const auto& g = system_.particles();
+    const double diameter = 2 * ::ranges::accumulate(g.template get<column::radius>(), 0.0) / static_cast<double>(g.size());
+    return observe::solid_fractions_of(g, {parameters_.cell_radius, 0, lid().shape.point.z}, 2 * diameter);
   }
 
   double liquid_kept() const {

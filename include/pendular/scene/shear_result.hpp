@@ -4,6 +4,7 @@
 #include <pendular/core/fields.hpp>
 #include <pendular/core/vec.hpp>
 #include <pendular/observe/energy.hpp>
+#include <pendular/observe/solid_fraction.hpp>
 #include <pendular/scene/result_file.hpp>
 
 #include <type_traits>
@@ -40,9 +41,13 @@ struct shear_sample {
   double solid_fraction = 0;      // when friction came
   double split_height = 0;        // of the plane between the halves, m
   double initial_bridges = 0;     // mean per grain, as distributed
-  double start_height = 0;        // of the lid when the upper half starts, m
-  double start_bridges = 0;       // mean per grain, when the upper half starts
-  double unbalanced_force = 0;    // when the upper half starts, mean over the mean contact force
+  struct when_the_upper_half_starts {
+    double height = 0;                 // of the lid, m
+    double bridges = 0;                // mean per grain
+    double unbalanced_force = 0;       // mean over the mean contact force
+    double shear_stress = 0;           // on the plane between the halves, before it moves, Pa
+    observe::solid_fractions density;  // the bulk is two mean diameters away from walls, floor and lid
+  } start;
 };
 
 struct shear_result {

@@ -44,6 +44,20 @@ void write_curve(const options& o, const records& lines) {
                                                             {"energy_turnover_J", column(lines, &r::turnover, 1)}}));
 }
 
+void write_relaxation(const options& o, const std::vector<pendular::scene::relaxation_record>& lines) {
+  const auto column = [&](const char* name, auto member) {
+    std::vector<double> values;
+    for (const auto& line : lines) values.push_back(line.*member);
+    return pendular::io::column{name, values};
+  };
+  using r = pendular::scene::relaxation_record;
+  pendular::io::write_table(
+      o.output / "relaxation.csv",
+      pendular::io::table(std::vector<pendular::io::column>{
+          column("time_s", &r::time), column("surface_settlement_m", &r::surface_settlement),
+          column("centre_settlement_m", &r::centre_settlement), column("bridges_per_grain", &r::bridges)}));
+}
+
 void draw_curve(const options& o, const records& lines, double mean_diameter) {
   using r = pendular::scene::compression_record;
   const auto strain = column(lines, &r::shortening, 1 / mean_diameter);
@@ -105,6 +119,7 @@ void print(const json& s) {
 void report(const options& o, const pendular::scene::compression_result& result, const examples::run_facts& facts,
             const still_grains& still) {
   write_curve(o, result.records);
+  if (!result.relaxation.empty()) write_relaxation(o, result.relaxation);
   if (o.pictures) draw_curve(o, result.records, facts.mean_diameter);
   const json s = summary(o, result, facts, still);
   write_summary(o, s);

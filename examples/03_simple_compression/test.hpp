@@ -26,7 +26,7 @@ inline scene::compression_parameters parameters(const options& o) {
   p.time_step = o.time_step;
   p.mass_scaling = o.mass_scaling;
   p.sample_interval = std::min(1e-6 / o.wall_speed, o.duration / 10);  // a line per micrometre
-  p.selection = {o.thinning, o.seed};
+  p.selection = o.selection(o.seed);
   p.numerics = {.skin = o.skin, .force = o.force};
   p.relaxation = o.relaxation;
   return p;

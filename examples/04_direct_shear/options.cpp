@@ -13,6 +13,7 @@ options::options() {
   output = "direct_shear";
   water_content = 0.01;
   protocol = "grain-films";  // section 3.2
+  friction = "viscous-coulomb";
   stiffness = 2500;          // 1000 N/m would let grains of 2 mm overlap by more than a thousandth
   time_step = 3.5e-6;
   mass_scaling = 1;
@@ -71,9 +72,10 @@ std::string options::physics() const {
   std::ostringstream text;
   text.precision(17);
   text << physics_of(*this) << " normal-stress " << normal_stress << " shear-speed " << shear_speed << " displacement "
-       << displacement << " preparation-friction " << preparation_friction << " solid-fraction " << solid_fraction << " wall-friction " << wall_friction
-       << " plate-friction " << plate_friction << " scale " << scale << " packing " << examples::label_of(packing)
-       << " grains " << grains << " seed " << seed << " checkpoint-interval " << checkpoint_interval;
+       << displacement << " preparation-friction " << preparation_friction << " solid-fraction " << solid_fraction
+       << " wall-friction " << wall_friction << " plate-friction " << plate_friction << " scale " << scale
+       << " packing " << examples::label_of(packing) << " grains " << grains << " seed " << seed
+       << " checkpoint-interval " << checkpoint_interval;
   return text.str();
 }
 
@@ -84,7 +86,8 @@ std::vector<std::string> options::departures() const {
   list.add(scale != 1, "scale: grains and cell ", scale, " times the paper's");
   list.add(preparation_friction != 0.4, "preparation: friction ", preparation_friction,
            " between grains while they fall; in the test it is 0.4");
-  list.add(solid_fraction != usual.solid_fraction, "solid fraction: ", solid_fraction, "; the paper has 0.6");
+  list.add(solid_fraction != 0.6, "solid fraction: ", solid_fraction,
+           " over the cell when friction comes; the paper has 0.6 and does not say of what");
   list.add(true, "cell: split at mid-height of the consolidated sample; the paper has halves of 10 and 15 mm");
   list.add(true, "open in the paper, chosen here: speed ", shear_speed, " m/s, friction of the halves ", wall_friction,
            ", of floor and lid ", plate_friction);

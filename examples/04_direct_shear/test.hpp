@@ -28,7 +28,7 @@ inline scene::shear_parameters parameters(const options& o) {
   p.time_step = o.time_step;
   p.mass_scaling = o.mass_scaling;
   p.sample_interval = std::min(p.sample_interval, o.displacement / 20);
-  p.selection = {o.thinning, o.seed};
+  p.selection = o.selection(o.seed);
   p.numerics = {.skin = o.skin, .force = o.force};
   return p;
 }

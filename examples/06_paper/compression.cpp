@@ -8,7 +8,12 @@
 
 #include <pendular/io/plot.hpp>
 
+#include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace paper::compression {
 
@@ -82,6 +87,45 @@ struct way {
 const std::array ways{
     way{"P1, homogeneous", "axial_stress", "w", 3}, way{"P2, kept on the grains", "protocols", "grain-films_w", 3},
     way{"P3, to the lowest contact", "protocols", "gravity_w", 3}, way{"P1, half the bonds", "half_bonds", "w", 2}};
+
+std::vector<pendular::io::table> tables_of_relaxation(const seeds& s) {
+  std::vector<pendular::io::table> tables;
+  for (const run& r : s) tables.push_back(pendular::io::read_table(r.folder() / "relaxation.csv"));
+  return tables;
+}
+
+/// A column of the last line that is not later. Errors: std::runtime_error if there is none.
+measured at_time(const std::vector<pendular::io::table>& tables, double time, const char* name, double unit) {
+  std::vector<double> values;
+  for (const auto& t : tables) {
+    const auto& times = t["time_s"];
+    const auto after = std::upper_bound(times.begin(), times.end(), time * (1 + 1e-9));
+    if (after == times.begin())
+      throw std::runtime_error("a relaxation has no line up to " + std::to_string(time) + " s");
+    values.push_back(t[name][static_cast<std::size_t>(after - times.begin()) - 1] / unit);
+  }
+  return mean_of(values);
+}
+
+void draw_settlement(const std::vector<pendular::io::table>& tables, const fs::path& file) {
+  pendular::io::plot p;
+  p.title = "Settlement without the mould, Eq. 12, w = 2 %, every seed";
+  p.x_label = "time (s)";
+  p.y_label = "settlement (mm)";
+  for (const auto& [name, label] : {std::pair{"surface_settlement_m", "surface"}, {"centre_settlement_m", "centre"}}) {
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      std::vector<double> millimetres = tables[k][name];
+      for (double& y : millimetres) y /= 1e-3;
+      p.curves.push_back({k == 0 ? label : "",
+                          tables[k]["time_s"],
+                          millimetres,
+                          curve_style::lines,
+                          label == std::string("surface") ? 0u : 1u,
+                          {}});
+    }
+  }
+  pendular::io::draw(p, file);
+}
 
 }  // namespace
 
@@ -167,6 +211,47 @@ std::string relaxation(const fs::path& folder) {
   row("not relaxed", "not_relaxed/w0.02");
   row("half the bonds, relaxed", "half_bonds/w0.02");
   row("not relaxed", "not_relaxed/half_bonds_w0.02");
+  return t.text();
+}
+
+std::string settlement(const fs::path& folder, const fs::path& figures) {
+  const seeds settled = three_runs_of(folder / "settled" / "w0.02");
+  const auto lines = tables_of_relaxation(settled);
+  table course(
+      {"time without the mould (s)", "settlement of the surface (mm)", "of the centre (mm)", "bridges per grain"});
+  for (const double time : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0}) {
+    const measured surface = at_time(lines, time, "surface_settlement_m", 1e-3),
+                   centre = at_time(lines, time, "centre_settlement_m", 1e-3);
+    course.add({number("%g", time), number("%.4f", surface.mean, surface.error),
+                number("%.4f", centre.mean, centre.error),
+                with_hundredth(at_time(lines, time, "bridges_per_grain", 1))});
+  }
+  draw_settlement(lines, figures / "settlement.png");
+  table strengths(
+      {"Eq. 12, w = 2 %", "strength (Pa)", "at shortening (mm)", "bridges per grain, start", "unbalanced force ratio"});
+  const auto row = [&](const char* label, const seeds& s) {
+    strengths.add({label, strength_in_pascal(s), place_of_summit(s),
+                   with_hundredth(of(s, "sample", "bridges_per_grain_relaxed")),
+                   number("%.0e", of(s, "sample", "unbalanced_force_ratio").mean)});
+  };
+  row("after 0.03 s", with_own_friction(folder, "0.02"));
+  row("after 3 s", settled);
+  return course.text() + "\n" + strengths.text();
+}
+
+std::string wet_pairs(const fs::path& folder) {
+  table t({"wet pairs", "w (%)", "strength (Pa)", "over all eligible pairs", "bridges per grain, as distributed",
+           "start of the test"});
+  for (std::size_t k = 0; k < waters.size(); ++k) {
+    const seeds all = ways.front().runs(folder, k),
+                touching = three_runs_of(folder / "wet_pairs" / ("touching_w" + std::string(waters[k])));
+    const auto row = [&](const char* label, const seeds& s) {
+      t.add({label, in_percent(waters[k]), strength_in_pascal(s), with_hundredth(ratio(s, all)),
+             with_hundredth(of(s, "sample", "bridges_per_grain_initial")),
+             with_hundredth(of(s, "sample", "bridges_per_grain_relaxed"))});
+    };
+    row("eligible", all), row("touching", touching);
+  }
   return t.text();
 }
 

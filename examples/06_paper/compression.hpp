@@ -12,5 +12,9 @@ std::string stress_curves(const std::filesystem::path& folder, const std::filesy
 std::string strengths(const std::filesystem::path& folder, const std::filesystem::path& figures);
 std::string still_zone(const std::filesystem::path& folder, const std::filesystem::path& figures);
 std::string relaxation(const std::filesystem::path& folder);
+/// How a sample with Eq. 12 creeps under its own weight before the test, and its strength afterwards.
+std::string settlement(const std::filesystem::path& folder, const std::filesystem::path& figures);
+/// Touching pairs only, against all eligible ones.
+std::string wet_pairs(const std::filesystem::path& folder);
 
 }  // namespace paper::compression

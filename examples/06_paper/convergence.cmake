@@ -3,7 +3,11 @@
 
 set(folder "${PROJECT_BINARY_DIR}/convergence")
 set(results)
-set(shear_usual --grains 1000 --displacement 3.3e-3 --residual-from 1 --no-pictures --snapshots 0)
+set(dense --preparation-friction 0 --solid-fraction 0.6)  # without a rate and from the densest deposit
+set(shear_packing --preparation-friction 0)
+set(compression_packing)
+set(shear_usual --grains 1000 --displacement 3.3e-3 --residual-from 1 --friction coulomb-spring ${dense} --no-pictures
+                --snapshots 0)
 set(compression_usual --grains 1000 --duration 0.6 --no-pictures --snapshots 0)
 
 # twice the seeds in shear, which scatters more
@@ -12,7 +16,8 @@ set(compression_seeds 8)
 set(law_seeds 8)
 foreach(test shear compression)
   foreach(seed RANGE 1 ${${test}_seeds})
-    pendular_packing("${folder}/packings/${test}/seed${seed}" ${${test}} --grains 1000 --seed ${seed})
+    pendular_packing("${folder}/packings/${test}/seed${seed}" ${${test}} --grains 1000 --seed ${seed}
+                     ${${test}_packing})
   endforeach()
 endforeach()
 

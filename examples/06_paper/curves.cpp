@@ -22,7 +22,15 @@ std::size_t lines_without_load(const std::vector<double>& stress) {
   return first == stress.end() ? 0 : static_cast<std::size_t>(first - stress.begin());
 }
 
-xy shear_curve(const pendular::io::table& t) { return {t["displacement_over_mean_diameter"], t["shear_stress_Pa"]}; }
+/// From what the sample bears at rest: the first line of the table is ten micrometres later.
+xy shear_curve(const run& r) {
+  const auto t = r.curve();
+  xy c{t["displacement_over_mean_diameter"], t["shear_stress_Pa"]};
+  if (c.x.empty() || c.x.front() > 0) {
+    c.x.insert(c.x.begin(), 0), c.y.insert(c.y.begin(), r.number("sample", "shear_stress_start_Pa"));
+  }
+  return c;
+}
 
 xy compression_curve(const pendular::io::table& t, double diameter) {
   xy c{t["shortening_m"], t["axial_stress_Pa"]};
@@ -57,9 +65,8 @@ double weight_above(const run& r) {
 }  // namespace
 
 xy stress_curve(const run& r) {
-  const auto table = r.curve();
-  xy c = table.has("shear_stress_Pa") ? shear_curve(table)
-                                      : compression_curve(table, r.number("sample", "mean_diameter_m"));
+  xy c = r.curve().has("shear_stress_Pa") ? shear_curve(r)
+                                          : compression_curve(r.curve(), r.number("sample", "mean_diameter_m"));
   c.y = examples::smoothed(c.x, c.y, window);
   return c;
 }
@@ -93,10 +100,16 @@ summit summit_of(const xy& curve) {
   return {at, *top, at > curve.x.back() - 0.1};
 }
 
+double summit_over_residual(const run& r) {
+  const xy c = stress_curve(r);
+  return summit_of(c).stress / mean_between(c, 1, 2);
+}
+
 shear_state state_between(const run& r, double from, double to) {
   const auto t = r.curve();
   const auto mean = [&](const char* name) { return mean_of_column(t, name, from, to); };
-  return {mean("shear_stress_Pa"), mean("plane_stress_Pa"), mean("bridges_per_grain"), mean("height_m")};
+  return {mean("shear_stress_Pa"), mean("plane_stress_Pa"), mean("bridges_per_grain"), mean("height_m"),
+          mean("shared_area_over_cell")};
 }
 
 shear_state residual_state(const run& r) { return state_between(r, 1, 2); }
@@ -116,7 +129,7 @@ shear_state peak_state(const run& r) {
 }
 
 double falls_per_diameter(const run& r, double least) {
-  const xy c = shear_curve(r.curve());
+  const xy c = shear_curve(r);
   expect_to_reach(c.x, 1);
   double falls = 0, top = 0;  // the stress from which it falls
   bool counted = true;

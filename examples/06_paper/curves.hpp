@@ -31,12 +31,16 @@ struct summit {
 /// Errors: std::runtime_error if the curve is shorter than 0.05 diameters.
 summit summit_of(const xy& curve);
 
+/// The same over the residual stress, the mean from one to two diameters: 1 for a curve without a peak.
+double summit_over_residual(const run& r);
+
 /// Means of a shear test over a stretch of displacement.
 struct shear_state {
   double shear;    // stress on the plane between the halves, Pa
   double normal;   // stress on the same plane, from lid, weight and rims, Pa
   double bridges;  // per grain
   double height;   // of the lid, m
+  double shared;   // area of the halves over that of the cell
 };
 
 /// Between two displacements, mean diameters. Errors: std::runtime_error if the curve has nothing there.

@@ -20,12 +20,14 @@ seeds runs_with(const std::string& seed, const std::vector<seeds>& loads) {
 }
 
 shear_state mean_state(const std::vector<shear_state>& states) {
-  shear_state sum{0, 0, 0, 0};
+  shear_state mean{0, 0, 0, 0, 0};
   for (const shear_state& s : states) {
-    sum.shear += s.shear, sum.normal += s.normal, sum.bridges += s.bridges, sum.height += s.height;
+    for (const auto member : {&shear_state::shear, &shear_state::normal, &shear_state::bridges, &shear_state::height,
+                              &shear_state::shared}) {
+      mean.*member += s.*member / static_cast<double>(states.size());
+    }
   }
-  const auto count = static_cast<double>(states.size());
-  return {sum.shear / count, sum.normal / count, sum.bridges / count, sum.height / count};
+  return mean;
 }
 
 template <class Value>

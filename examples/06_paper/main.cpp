@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figures and tables of the paper's tests and of the convergence study, from the folders their jobs have left.
+#include "choices.hpp"
 #include "cohesion.hpp"
 #include "compression.hpp"
 #include "convergence.hpp"
@@ -34,11 +35,16 @@ parts of_paper(const fs::path& folder, const fs::path& figures) {
           {"fig. 6", [=] { return shear::yield_loci(folder, figures); }},
           {"fig. 7", [=] { return shear::bonds(folder, figures); }},
           {"grain size", [=] { return shear::grain_size(folder); }},
-          {"own friction", [=] { return shear::own_friction(folder, figures); }},
+          {"choices", [=] { return shear::choices(folder, figures); }},
+          {"speeds", [=] { return shear::speeds(folder); }},
+          {"settings", [=] { return shear::settings(folder); }},
+          {"wet pairs in shear", [=] { return shear::wet_pairs(folder); }},
           {"fig. 10", [=] { return compression::stress_curves(folder, figures); }},
           {"fig. 11", [=] { return compression::still_zone(folder, figures); }},
           {"fig. 12", [=] { return compression::strengths(folder, figures); }},
-          {"relaxation", [=] { return compression::relaxation(folder); }}};
+          {"relaxation", [=] { return compression::relaxation(folder); }},
+          {"settlement", [=] { return compression::settlement(folder, figures); }},
+          {"wet pairs in compression", [=] { return compression::wet_pairs(folder); }}};
 }
 
 parts of_convergence(const fs::path& folder, const fs::path& figures) {

@@ -11,6 +11,8 @@
 #include <pendular/io/plot.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace paper::shear {
 
@@ -86,33 +88,49 @@ void add_bonds(table& t, const char* name, const seeds& low, const seeds& high, 
          in_pascal(mean_of(beyond_dry_line(l, dry_locus))), in_pascal(expected_cohesion(l, low.front()))});
 }
 
-void draw_own_friction(const seeds& dry, const seeds& wet, const fs::path& folder, const fs::path& file) {
-  auto p = shear_plot("Eq. 12 at 1e-6 s against the tangential spring, 300 Pa, means of three seeds");
-  add(p, "w = 1 %, Eq. 12", mean_curve(wet), 0);
-  add(p, "w = 1 %, spring", mean_curve(sheared(folder, "0.01", "300")), 0, curve_style::dashed);
-  add(p, "dry, Eq. 12", mean_curve(dry), 1);
-  add(p, "dry, spring", mean_curve(sheared(folder, "0", "300")), 1, curve_style::dashed);
-  pendular::io::draw(p, file);
+/// Relative change from one stretch of two diameters to the next of what is taken from its state, %.
+template <class Value>
+std::string decline(const seeds& s, const Value& value) {
+  return with_tenth(mean_of(each(
+      s, [&](const run& r) { return 100 * (value(state_between(r, 2, 3)) / value(state_between(r, 1, 2)) - 1); })));
+}
+
+/// What becomes of the stress beyond the residual state, over the cell and over what the halves still share.
+std::string table_of_decline(const std::vector<std::pair<std::string, seeds>>& samples) {
+  table t({"w (%)", "shear stress (%)", "shared area (%)", "shear stress over the shared area (%)",
+           "normal stress over the shared area (%)", "lid rises (mm)"});
+  for (const auto& [water, s] : samples) {
+    const measured rise = mean_of(
+        each(s, [](const run& r) { return (state_between(r, 2, 3).height - state_between(r, 1, 2).height) / 1e-3; }));
+    t.add({water, decline(s, [](const shear_state& a) { return a.shear; }),
+           decline(s, [](const shear_state& a) { return a.shared; }),
+           decline(s, [](const shear_state& a) { return a.shear / a.shared; }),
+           decline(s, [](const shear_state& a) { return a.normal / a.shared; }),
+           number("%.3f", rise.mean, rise.error)});
+  }
+  return t.text();
 }
 
 }  // namespace
 
 std::string stress_curves(const fs::path& folder, const fs::path& figures) {
   auto p = shear_plot("Shear stress at a normal stress of 300 Pa, w = 0 and 1 % (Fig. 5)");
-  table t({"w (%)", "peak (Pa)", "at displacement (diameters)", "mean from 1 to 2 diameters (Pa)", "from 2 to 3 (Pa)",
-           "falls by 5 Pa per diameter", "by 15 Pa"});
-  std::size_t colour = 0;
-  for (const char* water : {"0", "0.01"}) {
-    const seeds s = sheared(folder, water, "300");
+  table t({"w (%)", "peak (Pa)", "at displacement (diameters)", "peak over residual", "mean from 1 to 2 diameters (Pa)",
+           "from 2 to 3 (Pa)", "falls by 5 Pa per diameter", "by 15 Pa"});
+  std::vector<std::pair<std::string, seeds>> samples;
+  for (const std::string water : {"0", "0.01"}) {
+    const seeds s = three_runs_of(folder / "true_mass" / ("w" + water + "_s300"));
     const std::string w = number("%g", 100 * std::stod(water));
-    add(p, "w = " + w + " %, first seed", stress_curve(s.front()), colour);
-    add(p, "mean of three", mean_curve(s), colour++, curve_style::dashed);
-    const measured at = place_of_peak(s);
-    t.add({w, in_pascal(peak(s)), number("%.2f", at.mean, at.error), in_pascal(mean_stress(s, 1, 2)),
-           in_pascal(mean_stress(s, 2, 3)), with_tenth(falls(s, 5)), with_tenth(falls(s, 15))});
+    add(p, "w = " + w + " %, first seed", stress_curve(s.front()), samples.size());
+    add(p, "mean of three", mean_curve(s), samples.size(), curve_style::dashed);
+    const measured at = place_of_peak(s), over = mean_of(each(s, summit_over_residual));
+    t.add({w, in_pascal(peak(s)), number("%.2f", at.mean, at.error), number("%.2f", over.mean, over.error),
+           in_pascal(mean_stress(s, 1, 2)), in_pascal(mean_stress(s, 2, 3)), with_tenth(falls(s, 5)),
+           with_tenth(falls(s, 15))});
+    samples.emplace_back(w, s);
   }
   pendular::io::draw(p, figures / "fig05_shear_stress.png");
-  return t.text();
+  return t.text() + "\n" + table_of_decline(samples);
 }
 
 std::string bonds(const fs::path& folder, const fs::path& figures) {
@@ -125,23 +143,6 @@ std::string bonds(const fs::path& folder, const fs::path& figures) {
   add_bonds(t, "all", full, sheared(folder, "0.01", "800"), dry, dry_locus);
   add_bonds(t, "half", half, thinned("t2_s800"), dry, dry_locus);
   add_bonds(t, "a quarter", thinned("t4_s300"), thinned("t4_s800"), dry, dry_locus);
-  return t.text();
-}
-
-std::string own_friction(const fs::path& folder, const fs::path& figures) {
-  const auto own = [&](const char* name) { return three_runs_of(folder / "own_friction" / name); };
-  const seeds dry = own("shear_w0_s300"), wet = own("shear_w0.01_s300"), high = own("shear_w0.01_s800");
-  draw_own_friction(dry, wet, folder, figures / "fig05_own_friction.png");
-  table t({"friction", "dry, peak (Pa)", "from 1 to 2 diameters (Pa)", "wet, peak (Pa)", "from 1 to 2 diameters (Pa)",
-           "wet less dry (Pa)", "angle, wet (degrees)", "cohesion (Pa)"});
-  const auto row = [&](const char* name, const seeds& d, const seeds& w, const seeds& w_high) {
-    const locus l = locus_of({w, w_high});
-    t.add({name, in_pascal(peak(d)), in_pascal(mean_stress(d, 1, 2)), in_pascal(peak(w)),
-           in_pascal(mean_stress(w, 1, 2)), in_pascal(over_dry(w, d, 1, 2)), with_tenth(l.angle()),
-           in_pascal(l.cohesion())});
-  };
-  row("Eq. 12, γ_t = 1 N s/m, 1e-6 s", dry, wet, high);
-  row("tangential spring", sheared(folder, "0", "300"), sheared(folder, "0.01", "300"), sheared(folder, "0.01", "800"));
   return t.text();
 }
 

@@ -10,6 +10,5 @@ namespace paper::shear {
 
 std::string stress_curves(const std::filesystem::path& folder, const std::filesystem::path& figures);
 std::string bonds(const std::filesystem::path& folder, const std::filesystem::path& figures);
-std::string own_friction(const std::filesystem::path& folder, const std::filesystem::path& figures);
 
 }  // namespace paper::shear

@@ -54,6 +54,12 @@ void describe_liquid(CLI::App& app, wet_options& o) {
   app.add_option("--thinning", o.thinning, "keep one bond in so many at the same water content")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
+  app.add_option("--widest-gap", o.widest_gap, "across which a distribution wets pairs, m; 0: touching pairs only")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--film-thickness", o.film_thickness, "of the film that stays on the grains before a bridge exists, m")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--kappa", o.surface_tension_force, "2 pi gamma_s cos(theta), N/m")
       ->check(positive)
       ->capture_default_str();

@@ -20,8 +20,9 @@ std::vector<double> smoothed(const std::vector<double>& x, const std::vector<dou
   std::size_t from = 0, to = 0;
   double sum = 0;
   for (std::size_t k = 0; k < y.size(); ++k) {
-    while (to < y.size() && x[to] <= x[k] + 0.5 * window) sum += y[to++];
-    while (x[from] < x[k] - 0.5 * window) sum -= y[from++];
+    const double reach = std::min({0.5 * window, x[k] - x.front(), x.back() - x[k]});
+    while (to < y.size() && x[to] <= x[k] + reach) sum += y[to++];
+    while (x[from] < x[k] - reach) sum -= y[from++];
     values[k] = sum / static_cast<double>(to - from);
   }
   return values;

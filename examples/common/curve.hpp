@@ -5,7 +5,8 @@
 
 namespace examples {
 
-/// Mean of y over the window of x around every point; x does not decrease.
+/// Mean of y over the window of x around every point, which is narrower near the ends: as far to one side as to the other,
+/// so that a curve that rises from zero starts there. x does not decrease.
 std::vector<double> smoothed(const std::vector<double>& x, const std::vector<double>& y, double window);
 
 struct estimate {

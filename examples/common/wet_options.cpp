@@ -21,8 +21,8 @@ std::string physics_of(const wet_options& o) {
   text.precision(17);
   text << "water-content " << o.water_content << " protocol " << o.protocol << " law " << o.law << " friction "
        << o.friction << " tangential-viscosity " << o.tangential_viscosity << " stiffness " << o.stiffness
-       << " thinning " << o.thinning << " kappa " << o.surface_tension_force << " time-step " << o.time_step
-       << " mass-scaling " << o.mass_scaling;
+       << " thinning " << o.thinning << " widest-gap " << o.widest_gap << " film-thickness " << o.film_thickness
+       << " kappa " << o.surface_tension_force << " time-step " << o.time_step << " mass-scaling " << o.mass_scaling;
   return text.str();
 }
 
@@ -39,6 +39,10 @@ std::vector<std::string> departures_of(const wet_options& o) {
            " in the test, weight as it is; the paper gives no factor");
   list.add(o.law != "richefeu" && o.water_content > 0, "capillary law: ", o.law, "; the paper has Eqs. 4-11");
   list.add(o.thinning != 1, "bonds: one in ", o.thinning, " kept");
+  list.add(o.widest_gap == 0, "bonds: between touching grains only; the paper has all eligible pairs");
+  list.add(o.widest_gap > 0 && std::isfinite(o.widest_gap), "bonds: across gaps up to ", o.widest_gap,
+           " m; the paper has all eligible pairs");
+  list.add(o.film_thickness > 0, "films: ", o.film_thickness, " m stay on the grains; the paper has all in bonds");
   list.add(o.surface_tension_force != 0.4, "kappa: ", o.surface_tension_force, " N/m; the companion paper has 0.4");
   list.add(true, "damping: two-sided in contact, sign of Eq. 3 corrected (companion paper)");
   list.add(true, "time step rule: 10 % of pi sqrt(m/k) for the paper's \"10 % below\"");

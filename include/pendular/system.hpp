@@ -124,7 +124,7 @@ class system {
     validate(selection);
     start();
     bonds_.book().introduce(volume);
-    selection_ = selection;
+    bonds_.select(selection);
     redistribute();
     events_ = {};
     evaluate(false);
@@ -156,7 +156,7 @@ class system {
   std::int64_t rebuild_count() const { return rebuilds_; }
   double time() const { return static_cast<double>(steps_) * integrator_.time_step; }
   const bond_events& events() const { return events_; }
-  const bond_selection& selection() const { return selection_; }
+  const bond_selection& selection() const requires(!std::is_same_v<Liquid, dry>) { return bonds_.selection(); }
   /// Whether bridges lost their pair to a jump and their liquid waits for the next step.
   bool has_torn_bonds() const { return torn_; }
 
@@ -214,7 +214,7 @@ class system {
   /// `torn` is what `has_torn_bonds` said of it.
   void resume_at(std::int64_t steps, const bond_selection& selection, const bond_events& events, bool torn) {
     steps_ = steps;
-    selection_ = selection;
+    if constexpr (wet) bonds_.select(selection);
     events_ = events;
     torn_ = torn;
     domain_ = around(bounding_box(grains_.template get<column::position>()));
@@ -323,10 +323,10 @@ class system {
 
   void redistribute() requires(!std::is_same_v<Liquid, dry>) {
     const pair_view listed = view();
-    wanted_reach_ = homogeneous_reach(bonds_, listed, candidates(listed, selection_), bonds_.book().introduced());
+    wanted_reach_ = homogeneous_reach(bonds_, listed, candidates(listed, selection()), bonds_.book().introduced());
     if (list_.range() < wanted_reach_ + skin_) rebuild();
     wanted_reach_ = 0;
-    count(distribute_homogeneously(bonds_, view(), selection_));
+    count(distribute_homogeneously(bonds_, view(), selection()));
   }
 
   void count(const bond_events& e) {
@@ -377,7 +377,6 @@ class system {
   wall_loads<grains_type> loads_;
   std::vector<grain_row::place> listed_at_;
   box domain_{};
-  bond_selection selection_;
   bond_events events_;
   std::int64_t steps_ = 0, rebuilds_ = 0;
   double skin_ = 0, wall_travel_ = 0, wanted_reach_ = 0;

@@ -10,10 +10,13 @@
 using examples::mean_beyond;
 using examples::smoothed;
 
-TEST_CASE("smoothing is the mean over the window, which is shorter at the ends") {
+TEST_CASE("smoothing is the mean over the window, which is narrower at the ends on both sides") {
   const std::vector<double> x{0, 1, 2, 3, 4}, y{0, 3, 0, 3, 0};
   CHECK(smoothed(x, y, 0.5) == y);
-  CHECK(smoothed(x, y, 2) == std::vector<double>{1.5, 1, 2, 1, 1.5});
+  CHECK(smoothed(x, y, 2) == std::vector<double>{0, 1, 2, 1, 0});
+  const std::vector<double> straight{0, 10, 20, 30, 40};
+  CHECK(smoothed(x, straight, 3.9) == straight);
+  CHECK(smoothed(x, straight, 100) == straight);
 }
 
 TEST_CASE("a mean beyond a place has the error of its ten stretches") {

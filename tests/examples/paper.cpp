@@ -29,14 +29,15 @@ void write_job(const fs::path& folder, const std::string& options, double stress
       << R"({"options": ")" << options << R"(", "strength": {"residual_shear_stress_Pa": )" << stress
       << R"(, "peak_stress_Pa": )" << stress
       << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5], "mean_diameter_m": 1e-3,)"
-      << R"("solid_fraction": 0.6, "split_height_m": 0.01},)"
+      << R"("solid_fraction": 0.6, "split_height_m": 0.01, "shear_stress_start_Pa": 7},)"
       << R"("cost": {"processor_s_per_step": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
   std::ofstream table(folder / "shear_curve.csv");
-  table << "displacement_over_mean_diameter,shear_stress_Pa,lid_stress_Pa,plane_stress_Pa,bridges_per_grain,height_m\n";
+  table << "displacement_over_mean_diameter,shear_stress_Pa,lid_stress_Pa,plane_stress_Pa,bridges_per_grain,height_m,"
+           "shared_area_over_cell\n";
   for (std::size_t k = 0; k < curve.size(); ++k) {
     const double x = 0.5 * static_cast<double>(k);
     table << x << ',' << curve[k] << ',' << 300 + x << ',' << plane + 10 * x << ',' << 5 + x << ',' << 0.02 + x / 1000
-          << '\n';
+          << ',' << 1 - x / 10 << '\n';
   }
 }
 
@@ -94,12 +95,26 @@ TEST_CASE("a shear test has means over a stretch and about its peak") {
   const paper::run r(folder / "a");
   const auto late = paper::residual_state(r), nominal = paper::residual_state_over_lid_and_weight(r);
   CHECK((late.shear == 50 && late.normal == 715 && late.bridges == 6.5 && late.height == within(1e-12, 0.0215)));
+  CHECK(late.shared == within(1e-12, 0.85));
   CHECK((nominal.shear == 50 && nominal.bridges == 6.5));
   CHECK(nominal.normal == within(1e-12, 301.5 + 0.6 * 2700 * 1.02 * 9.81 * 0.01));
   CHECK_THROWS_AS(paper::state_between(r, 2, 4), std::runtime_error);
   write_job(folder / "b", "seed 1", 1, 1, {10, 90, 40, 50, 60}, 700);
   const auto peak = paper::peak_state(paper::run(folder / "b"));
   CHECK((peak.shear == 90 && peak.normal == 705 && peak.bridges == 5.5));
+}
+
+TEST_CASE("a shear curve begins with what the sample bears at rest, and has a summit over its residual stress") {
+  const scratch::folder folder;
+  fs::create_directories(folder / "a");
+  write_job(folder / "a", "seed 1", 1, 1);
+  std::ofstream(folder / "a/shear_curve.csv")
+      << "displacement_over_mean_diameter,shear_stress_Pa\n0.5,90\n1,60\n2,40\n";
+  const paper::run r(folder / "a");
+  const auto c = paper::stress_curve(r);
+  CHECK(c.x == std::vector<double>{0, 0.5, 1, 2});
+  CHECK(c.y == std::vector<double>{7, 90, 60, 40});
+  CHECK(paper::summit_over_residual(r) == within(1e-12, 90.0 / 50));
 }
 
 TEST_CASE("a summit at the end of a curve is a lower bound") {

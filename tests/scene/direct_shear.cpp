@@ -192,6 +192,23 @@ TEST_CASE("consolidation ends at the solid fraction that is wanted, or with its 
   CHECK((reached >= p.solid_fraction && reached < p.solid_fraction + 2e-5));  // in the first step that is dense enough
 }
 
+TEST_CASE("a sample has its density, its bridges and nearly no shear stress when the upper half starts") {
+  auto p = small_test();
+  p.displacement = 1e-5;
+  scene::direct_shear test(p, rough_cell, water);
+  test.start(deposited());
+  const auto r = test.run({});
+  const auto& start = r.sample.start;
+  double solid = 0;
+  for (const grain& g : deposited().grains) solid += 4.0 / 3 * std::numbers::pi * std::pow(g.radius, 3);
+  // overlaps with the walls are counted once, as what is in the cell
+  CHECK(start.density.cell == within(2e-3, solid / (p.area() * start.height)));
+  CHECK(start.density.near_walls > 0.3);
+  CHECK(start.bridges > 3);
+  CHECK(std::abs(start.shear_stress) < 0.2 * p.normal_stress);
+  CHECK(start.height < r.sample.deposited_height);
+}
+
 TEST_CASE("a packing for another cell is refused") {
   auto p = small_test();
   p.cell_radius = 1.1 * cell_radius;

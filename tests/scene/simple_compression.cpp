@@ -95,6 +95,21 @@ TEST_CASE("sixty grains are deposited and sealed") {
   CHECK(p.solid_fraction == within(1e-12, volume / (small_packing().area() * p.height)));
 }
 
+TEST_CASE("the relaxation has a line an interval, and the last one is the state before the test") {
+  scene::simple_compression test(small_test(), rough, wet_by(protocol::homogeneous{1000}));
+  test.start(packed());
+  const auto r = test.run({});
+  REQUIRE(r.relaxation.size() == 20);  // 8 ms by 0.4 ms
+  for (std::size_t k = 0; k < 20; ++k) {
+    CHECK(r.relaxation[k].time == within(1e-12, 4e-4 * static_cast<double>(k + 1)));
+    CHECK(r.relaxation[k].bridges > 2);
+  }
+  const auto& last = r.relaxation.back();
+  CHECK((last.surface_settlement == r.surface_settlement && last.centre_settlement == r.centre_settlement));
+  CHECK(last.bridges == r.relaxed_bridges);
+  CHECK(last.centre_settlement != r.relaxation.front().centre_settlement);
+}
+
 TEST_CASE("a packing that is sealed for longer is hardly lower") {
   auto longer = small_packing();
   longer.sealing = 0.2;

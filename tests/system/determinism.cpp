@@ -100,9 +100,9 @@ auto wet_walled_scene(const Protocol& p, std::optional<double> skin, int n = 6) 
 }
 
 template <class System>
-void wet_and_run(System& s, std::int64_t steps) {
+void wet_and_run(System& s, std::int64_t steps, const bond_selection& selection = {}) {
   s.run(1000);
-  s.distribute_liquid(added_liquid);
+  s.distribute_liquid(added_liquid, selection);
   s.run(steps);
 }
 
@@ -259,11 +259,11 @@ TEST_CASE("the order in which grains are added does not change the physics") {
 namespace {
 /// Runs on from a checkpoint in a new system, beside the run that wrote it.
 template <class Make>
-void check_restart(const Make& make) {
+void check_restart(const Make& make, const bond_selection& selection = {}) {
   const auto folder = std::filesystem::temp_directory_path() / ("pendular_restart_" + std::to_string(std::rand()));
   std::filesystem::create_directories(folder);
   auto first = make();
-  wet_and_run(first, 1000);
+  wet_and_run(first, 1000, selection);
   first.canonicalise();
   {
     io::checkpoint_writer out(folder / "state");
@@ -304,6 +304,11 @@ TEST_CASE("a resumed run goes on with the same bits") {
   }
   SECTION("viscous friction and homogeneous redistribution") {
     check_restart([] { return wet_scene(creeping, protocol::homogeneous{150}, {}); });
+  }
+  SECTION("touching pairs only, films held by the grains") {
+    const bond_selection selection{.thinning = 1.2, .seed = 3, .widest_gap = 0, .film_thickness = 1e-8};
+    check_restart([] { return wet_scene(rubbing, protocol::homogeneous{150}, {}); }, selection);
+    check_restart([] { return wet_scene(rubbing, protocol::grain_films{}, {}); }, selection);
   }
   SECTION("bridges at walls") {
     check_restart([] { return wet_walled_scene(protocol::grain_films{}, {}); });

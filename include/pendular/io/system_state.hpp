@@ -106,8 +106,9 @@ void put_liquid(checkpoint_writer& out, const System& s) {
   const auto& outside = s.bridges().outside();
   out.put("liquid.outside", std::vector<std::int64_t>{outside.capillary_law, outside.rupture_law});
   out.put("liquid.reach", s.bridges().reach(view));
-  out.put("liquid.selection", std::vector<double>{s.selection().thinning});
-  out.put("liquid.seed", s.selection().seed);
+  const auto& selection = s.selection();
+  out.put("liquid.selection", std::vector<double>{selection.thinning, selection.widest_gap, selection.film_thickness});
+  out.put("liquid.seed", selection.seed);
   out.put("liquid.torn", std::uint64_t{s.has_torn_bonds()});
   out.put("liquid.events", std::vector<std::int64_t>{s.events().ruptures, s.events().formations});
 }
@@ -209,9 +210,9 @@ void list_again(const checkpoint_reader& in, System& s) {
     book.resize_films(films.size());
     for (std::size_t k = 0; k < films.size(); ++k) book.restore(ledger::film_of(k), films[k]);
     const auto events = in.get<std::vector<std::int64_t>>("liquid.events");
-    const double thinning = in.get<std::vector<double>>("liquid.selection").at(0);
-    s.resume_at(steps, {thinning, in.get<std::uint64_t>("liquid.seed")}, {events.at(0), events.at(1)},
-                in.get<std::uint64_t>("liquid.torn") != 0);
+    const auto selection = in.get<std::vector<double>>("liquid.selection");
+    s.resume_at(steps, {selection.at(0), in.get<std::uint64_t>("liquid.seed"), selection.at(1), selection.at(2)},
+                {events.at(0), events.at(1)}, in.get<std::uint64_t>("liquid.torn") != 0);
     s.canonicalise(in.get<double>("liquid.reach"));
   } else {
     s.resume_at(steps, {}, {}, false);

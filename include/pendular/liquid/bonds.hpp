@@ -7,6 +7,7 @@
 #include <pendular/liquid/ledger.hpp>
 #include <pendular/liquid/liquid.hpp>
 #include <pendular/liquid/pair_view.hpp>
+#include <pendular/liquid/selection.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,14 @@ class bonds {
   std::size_t count() const {
     return static_cast<std::size_t>(
         std::count_if(ledger_.bonds().begin(), ledger_.bonds().end(), [](double v) { return v > 0; }));
+  }
+
+  /// Which pairs distributions wet, and what the grains hold that no protocol makes bridges of.
+  const bond_selection& selection() const { return selection_; }
+  void select(const bond_selection& selection) { selection_ = selection; }
+  /// The film of a grain beyond what it holds, m3.
+  double free_film(std::size_t grain, const pair_view& view) const {
+    return std::max(0.0, ledger_.films()[grain] - selection_.held_film(view.radius[grain]));
   }
 
   double breaks_above(std::size_t p) const { return breaks_above_[p]; }
@@ -201,12 +210,14 @@ class bonds {
 
  private:
   double formation_gap(std::size_t p, double size, const pair_view& view) const {
-    const double available = view.sum_over_grains_of(p, ledger_.films());
+    double available = 0;
+    view.for_each_grain_of(p, [&](std::size_t grain) { available += free_film(grain, view); });
     if (available < liquid_.formation().minimum_volume * size) return never;
     return liquid_.formation().reach(liquid_.rupture_distance(view.bridge_of(p, 0, available)));
   }
 
   Liquid liquid_;
+  bond_selection selection_;
   ledger ledger_;
   coefficients<double> idle_;  // of a bridge between grains of radius 1, where there is none
   scalar_table<coefficients> coefficients_;

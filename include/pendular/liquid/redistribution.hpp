@@ -62,7 +62,7 @@ void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view
     merged = merged ? protocol.merge(*merged, offer) : offer;
   });
   if (!merged) return;
-  const auto grant = protocol.settle(*merged, b.book().films()[grain]);
+  const auto grant = protocol.settle(*merged, b.free_film(grain, view));
   for_each_row_of(grain, view, pairs_of, [&](std::size_t p) {
     if (!receives(p)) return;
     const double volume = protocol.pull(side(p), grant);
@@ -156,7 +156,7 @@ bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_hist
   if constexpr (Liquid::redistributes_locally) {
     std::vector<detail::pull> pulls;
     for (std::size_t grain = 0; grain < view.radius.size(); ++grain) {
-      if (b.book().films()[grain] > 0) detail::offer_film(b, grain, view, gap, pairs_of, pulls);
+      if (b.free_film(grain, view) > 0) detail::offer_film(b, grain, view, gap, pairs_of, pulls);
     }
     std::vector<std::size_t> drained;
     for (const auto& pull : pulls) drained.push_back(pull.grain);
@@ -167,23 +167,35 @@ bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_hist
 }
 
 namespace detail {
-/// Films in proportion to R^3.
-inline void spread_over_grains(ledger& book, const pair_view& view, double volume) {
+/// Films in proportion to the size that a grain of a radius has.
+template <class Size>
+void spread_over_grains(ledger& book, const pair_view& view, double volume, const Size& size) {
   double sizes = 0;
-  for (const double r : view.radius) sizes += r * r * r;
+  for (const double r : view.radius) sizes += size(r);
   for (std::size_t g = 0; g < view.radius.size(); ++g) {
-    const double r = view.radius[g];
-    book.transfer(ledger::reservoir(), ledger::film_of(g), volume * (r * r * r / sizes));
+    book.transfer(ledger::reservoir(), ledger::film_of(g), volume * (size(view.radius[g]) / sizes));
   }
+}
+
+/// The films that the roughness of the grains holds, in proportion to their surface if there is not enough for all.
+/// Answers what is left for bridges, m3.
+inline double fill_roughness(ledger& book, const pair_view& view, double volume, const bond_selection& selection) {
+  const auto held = [&](double radius) { return selection.held_film(radius); };
+  double wanted = 0;
+  for (const double r : view.radius) wanted += held(r);
+  if (wanted == 0) return volume;
+  spread_over_grains(book, view, std::min(volume, wanted), held);
+  return std::max(0.0, volume - wanted);
 }
 }  // namespace detail
 
-/// Rows of the bonds that the selection keeps, with their gaps.
+/// Rows of the bonds that the selection keeps and reaches, with their gaps.
 inline std::vector<candidate> candidates(const pair_view& view, const bond_selection& selection) {
   std::vector<candidate> found;
   view.for_each_row([&](std::size_t p) {
     const auto [i, j] = view.ids(p);
-    if (selection.keeps(i, j)) found.push_back({p, view.bridge_of(p, view.gap(p), 0), {i, j}});
+    const double gap = view.gap(p);
+    if (selection.reaches(gap) && selection.keeps(i, j)) found.push_back({p, view.bridge_of(p, gap, 0), {i, j}});
   });
   return found;
 }
@@ -201,10 +213,12 @@ double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const st
   return farthest;
 }
 
-/// Protocol 1 and the initial state: everything back to the reservoir, then V_b = alpha R^3 over all eligible pairs.
-/// Liquid that makes no bridge of the minimum volume stays on the grains in proportion to R^3.
+/// Protocol 1 and the initial state: everything back to the reservoir, then what the grains hold as films, then
+/// V_b = alpha R^3 over all eligible pairs. Liquid that makes no bridge of the minimum volume stays on the grains in
+/// proportion to R^3.
 template <class Liquid>
 bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, const bond_selection& selection) {
+  b.select(selection);
   const std::vector<candidate> all = candidates(view, selection);
   std::vector<bool> was_bonded(view.rows());
   view.for_each_row([&](std::size_t p) {
@@ -213,7 +227,8 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
   });
   for (std::size_t g = 0; g < view.radius.size(); ++g) b.book().empty(ledger::film_of(g), ledger::reservoir());
 
-  const double volume = b.book().introduced();  // all of it is in the reservoir now; this figure has no round-off
+  // All that was introduced is in the reservoir now; this figure has no round-off.
+  const double volume = detail::fill_roughness(b.book(), view, b.book().introduced(), selection);
   const homogeneous_share share = share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
   if (share.alpha > 0 && share.alpha >= b.policies().formation().minimum_volume) {
     for (const std::size_t k : share.eligible) {
@@ -222,7 +237,7 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
       b.made(p, view);
     }
   } else {
-    detail::spread_over_grains(b.book(), view, volume);
+    detail::spread_over_grains(b.book(), view, volume, [](double r) { return r * r * r; });
   }
   bond_events events;
   view.for_each_row([&](std::size_t p) {

@@ -23,6 +23,14 @@ struct compression_record {
   double turnover;    // of energy since the lid started, J
 };
 
+/// A line of the relaxation.
+struct relaxation_record {
+  double time;                // since the cylinder was taken away, s
+  double surface_settlement;  // m
+  double centre_settlement;   // of the centre of mass, m
+  double bridges;             // mean liquid bridges of a grain
+};
+
 struct compression_result {
   double sealed_height = 0;  // m
   double solid_fraction = 0;
@@ -36,6 +44,7 @@ struct compression_result {
   double start_height = 0;        // of the lid when it starts, m
   observe::energies energy_at_start;
   std::vector<vector> reference;  // positions by id when the lid starts, m
+  std::vector<relaxation_record> relaxation;
   std::vector<compression_record> records;
 };
 
@@ -50,6 +59,7 @@ void for_each_number(Result& r,
   }
   detail::for_each_energy(r.energy_at_start, visit);
   for (auto& p : r.reference) for_each_scalar<double>(p, visit);
+  for (auto& line : r.relaxation) for_each_scalar<double>(line, visit);
   for (auto& line : r.records) for_each_scalar<double>(line, visit);
 }
 

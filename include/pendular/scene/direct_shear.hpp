@@ -246,7 +246,8 @@ class direct_shear {
 
   observe::solid_fractions density() {
     const auto& g = system_.particles();
-    const double diameter = 2 * ::ranges::accumulate(g.template get<column::radius>(), 0.0) / static_cast<double>(g.size());
+    const double diameter =
+        2 * ::ranges::accumulate(g.template get<column::radius>(), 0.0) / static_cast<double>(g.size());
     return observe::solid_fractions_of(g, {parameters_.cell_radius, 0, lid().shape.point.z}, 2 * diameter);
   }
 

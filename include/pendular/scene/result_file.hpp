@@ -17,9 +17,17 @@ void for_each_energy(Energies& e, const Visit& visit) {
     visit(*v);
   }
 }
+
+/// The lists of a result whose lengths are not known beforehand.
+template <class Result, class Visit>
+void for_each_list(Result& r, const Visit& visit) {
+  visit(r.reference);
+  visit(r.records);
+  if constexpr (requires { r.relaxation; }) visit(r.relaxation);
+}
 }  // namespace detail
 
-/// What a scene has found so far, in its checkpoint. A result has `reference`, `records` and a
+/// What a scene has found so far, in its checkpoint. A result has `reference`, `records`, perhaps `relaxation`, and a
 /// `for_each_number` beside it.
 template <class Result>
 void save(io::checkpoint_writer& out, const Result& r) requires requires {
@@ -28,8 +36,9 @@ void save(io::checkpoint_writer& out, const Result& r) requires requires {
 {
   std::vector<double> numbers;
   for_each_number(r, [&](const double& v) { numbers.push_back(v); });
-  out.put("scene.references", static_cast<std::uint64_t>(r.reference.size()));
-  out.put("scene.records", static_cast<std::uint64_t>(r.records.size()));
+  std::vector<std::int64_t> lengths;
+  detail::for_each_list(r, [&](const auto& list) { lengths.push_back(static_cast<std::int64_t>(list.size())); });
+  out.put("scene.lengths", lengths);
   out.put("scene.numbers", numbers);
 }
 
@@ -39,9 +48,9 @@ void load(const io::checkpoint_reader& in, Result& r) requires requires {
 }
 {
   const auto numbers = in.get<std::vector<double>>("scene.numbers");
-  r.reference.resize(in.get<std::uint64_t>("scene.references"));
-  r.records.resize(in.get<std::uint64_t>("scene.records"));
-  std::size_t k = 0;
+  const auto lengths = in.get<std::vector<std::int64_t>>("scene.lengths");
+  std::size_t n = 0, k = 0;
+  detail::for_each_list(r, [&](auto& list) { list.resize(static_cast<std::size_t>(lengths.at(n++))); });
   for_each_number(r, [&](double& v) { v = numbers.at(k++); });
 }
 

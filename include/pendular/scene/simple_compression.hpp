@@ -123,7 +123,13 @@ class simple_compression {
                       wall(plane{{0, 0, out_of_the_way}, {0, 0, -1}}, constant_velocity{{0, 0, 0}})};
   }
 
-  std::string look_at_rest() { return "height " + millimetres(surface_height(system_.particles())); }
+  std::string look_at_rest() {
+    const double height = surface_height(system_.particles());
+    result_.relaxation.push_back({static_cast<double>(done_) * parameters_.time_step, result_.surface_before - height,
+                                  result_.centre_before - mass_centre_height(system_.particles()),
+                                  observe::coordination_of(system_).bridges});
+    return "height " + millimetres(height);
+  }
 
   void start_lid() {
     result_.surface_settlement = result_.surface_before - surface_height(system_.particles());

@@ -64,9 +64,7 @@ measured of_sample(const seeds& s, const char* name) {
 
 std::string with(const char* format, const measured& m) { return number(format, m.mean, m.error); }
 
-std::string peak_over_residual(const seeds& s) {
-  return with("%.2f", mean_of(each(s, [](const run& r) { return summit_over_residual(r); })));
-}
+std::string peak_over_residual(const seeds& s) { return with("%.2f", mean_of(each(s, summit_over_residual))); }
 
 std::string place_of_peak(const seeds& s) {
   return with("%.2f", mean_of(each(s, [](const run& r) { return summit_of(stress_curve(r)).at; })));
@@ -91,6 +89,20 @@ std::vector<std::string> lines_of(const group& g) {
   const locus dry = g.dry_locus(), wet = g.wet_locus();
   return {with("%.1f", dry.angle()), with("%.1f", wet.angle()), with("%.0f", dry.cohesion()),
           with("%.0f", wet.cohesion()), with("%.0f", mean_of(beyond_dry_line(wet, dry)))};
+}
+
+/// Solid fractions at the start, and whether there is a peak under 300 Pa.
+std::vector<std::string> state_of(const group& g) {
+  std::vector<std::string> cells;
+  for (const char* name : {"solid_fraction_start", "solid_fraction_bulk", "solid_fraction_near_walls"}) {
+    cells.push_back(with("%.3f", of_sample(g.wet, name)));
+  }
+  for (const seeds* s : {&g.dry, &g.wet}) {
+    cells.push_back(with("%.2f", mean_of(each(*s, early_over_residual))));
+    cells.push_back(peak_over_residual(*s));
+    cells.push_back(place_of_peak(*s));
+  }
+  return cells;
 }
 
 void add(table& t, std::vector<std::string> cells, const std::vector<std::string>& more) {
@@ -139,22 +151,20 @@ std::string change_from(const seeds& finest, const seeds& s) {
 
 std::string choices(const fs::path& folder, const fs::path& figures) {
   table states({"deposit and consolidation", "friction", "solid fraction, cell", "bulk", "near walls",
-                "dry: peak over residual", "at (diameters)", "wet: peak over residual", "at (diameters)",
-                "lid rises in two diameters, dry (mm)", "wet (mm)"});
+                "dry: 0.4 to 0.8 diameters over residual", "peak over residual", "at (diameters)",
+                "wet: 0.4 to 0.8 diameters over residual", "peak over residual", "at (diameters)"});
   table lines({"deposit and consolidation", "friction", "angle, dry (degrees)", "wet", "intercept, dry (Pa)",
                "wet (Pa)", "wet beyond the dry line (Pa)", "falls by 5 Pa per diameter, dry", "wet", "by 15 Pa, dry",
-               "wet"});
+               "wet", "lid rises in two diameters, dry (mm)", "wet (mm)"});
   for (const way& w : ways) {
     for (const law& l : laws) {
       const group g = group_of(folder, w, l);
-      const auto density = [&](const char* name) { return with("%.3f", of_sample(g.wet, name)); };
-      states.add({w.label, l.label, density("solid_fraction_start"), density("solid_fraction_bulk"),
-                  density("solid_fraction_near_walls"), peak_over_residual(g.dry), place_of_peak(g.dry),
-                  peak_over_residual(g.wet), place_of_peak(g.wet), rise_of_lid(g.dry), rise_of_lid(g.wet)});
+      add(states, {w.label, l.label}, state_of(g));
       std::vector<std::string> cells = lines_of(g);
       for (const double least : {5.0, 15.0}) {
         for (const seeds* s : {&g.dry, &g.wet}) cells.push_back(falls(*s, least));
       }
+      for (const seeds* s : {&g.dry, &g.wet}) cells.push_back(rise_of_lid(*s));
       add(lines, {w.label, l.label}, cells);
     }
   }

@@ -105,6 +105,11 @@ double summit_over_residual(const run& r) {
   return summit_of(c).stress / mean_between(c, 1, 2);
 }
 
+double early_over_residual(const run& r) {
+  const xy c = stress_curve(r);
+  return mean_between(c, 0.4, 0.8) / mean_between(c, 1, 2);
+}
+
 shear_state state_between(const run& r, double from, double to) {
   const auto t = r.curve();
   const auto mean = [&](const char* name) { return mean_of_column(t, name, from, to); };

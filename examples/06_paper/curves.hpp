@@ -33,6 +33,9 @@ summit summit_of(const xy& curve);
 
 /// The same over the residual stress, the mean from one to two diameters: 1 for a curve without a peak.
 double summit_over_residual(const run& r);
+/// Mean stress from 0.4 to 0.8 diameters, where dense samples have their peak, over the residual stress. Unlike the summit it
+/// does not grow with the scatter of the curve: 1 or less says that there is no peak.
+double early_over_residual(const run& r);
 
 /// Means of a shear test over a stretch of displacement.
 struct shear_state {

@@ -2,6 +2,7 @@
 // The figures and tables of the paper's tests and of the convergence study, from the folders their jobs have left.
 #include "choices.hpp"
 #include "cohesion.hpp"
+#include "companion.hpp"
 #include "compression.hpp"
 #include "convergence.hpp"
 #include "shear.hpp"
@@ -66,6 +67,12 @@ parts of_convergence(const fs::path& folder, const fs::path& figures) {
   return all;
 }
 
+parts of(const std::string& what, const fs::path& folder, const fs::path& figures) {
+  if (what == "paper") return of_paper(folder, figures);
+  if (what == "convergence") return of_convergence(folder, figures);
+  return {{"companion", [=] { return paper::companion::table_of_samples(folder); }}};
+}
+
 /// Clears `complete` where a part is left out because its jobs have not ended.
 tables made(const parts& all, bool& complete) {
   tables found;
@@ -95,10 +102,10 @@ void put(const tables& found, const fs::path& folder, const fs::path& page) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  CLI::App app("Figures and tables from the jobs of the targets paper_jobs and convergence_jobs.");
+  CLI::App app("Figures and tables from the jobs of the targets paper_jobs, convergence_jobs and companion_jobs.");
   std::string what;
   fs::path folder, page;
-  app.add_option("what", what)->required()->check(CLI::IsMember({"paper", "convergence"}));
+  app.add_option("what", what)->required()->check(CLI::IsMember({"paper", "convergence", "companion"}));
   app.add_option("folder", folder, "of the jobs")->required()->check(CLI::ExistingDirectory);
   app.add_option("--page", page, "with markers, to put the tables into")->check(CLI::ExistingFile);
   CLI11_PARSE(app, count, arguments);
@@ -106,7 +113,7 @@ int main(int count, char** arguments) {
     const fs::path figures = folder / "figures";
     fs::create_directories(figures);
     bool complete = true;
-    put(made(what == "paper" ? of_paper(folder, figures) : of_convergence(folder, figures), complete), folder, page);
+    put(made(of(what, folder, figures), complete), folder, page);
     return complete ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << "06_paper: " << error.what() << '\n';

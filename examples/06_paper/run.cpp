@@ -67,6 +67,14 @@ double run::number(const std::string& part, const std::string& name, std::size_t
   return as_number(entry(part, name).at(place));
 }
 
+double run::number(const std::string& part, const std::string& name, const std::string& key) const {
+  const nlohmann::json& whole = entry(part, name);
+  if (!whole.contains(key)) {
+    throw std::runtime_error("summary.json in " + folder_.string() + " has no " + part + "." + name + "." + key);
+  }
+  return as_number(whole[key]);
+}
+
 std::string run::all_options() const { return " " + summary_.at("options").get<std::string>() + " "; }
 
 bool run::has_option(const std::string& name) const {

@@ -23,6 +23,8 @@ class run {
   double number(const std::string& part, const std::string& name) const;
   /// Of an entry that is a list.
   double number(const std::string& part, const std::string& name, std::size_t place) const;
+  /// Of an entry that has parts itself.
+  double number(const std::string& part, const std::string& name, const std::string& key) const;
   bool has_option(const std::string& name) const;
   /// An option as it was given on the command line or by default.
   std::string option(const std::string& name) const;

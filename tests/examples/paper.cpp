@@ -3,6 +3,7 @@
 #include "../catch.hpp"
 
 #include "../../examples/06_paper/cohesion.hpp"
+#include "../../examples/06_paper/companion.hpp"
 #include "../../examples/06_paper/convergence.hpp"
 #include "../../examples/06_paper/curves.hpp"
 #include "../../examples/06_paper/loci.hpp"
@@ -28,7 +29,7 @@ void write_job(const fs::path& folder, const std::string& options, double stress
   std::ofstream(folder / "summary.json")
       << R"({"options": ")" << options << R"(", "strength": {"residual_shear_stress_Pa": )" << stress
       << R"(, "peak_stress_Pa": )" << stress
-      << R"(, "peak_shear_stress_Pa": null}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5], "mean_diameter_m": 1e-3,)"
+      << R"(, "peak_shear_stress_Pa": null, "of_kind": {"alpha": 4.5}}, "sample": {"bridges_per_grain_start": 6, "radii": [1, 2.5], "mean_diameter_m": 1e-3,)"
       << R"("solid_fraction": 0.6, "split_height_m": 0.01, "shear_stress_start_Pa": 7},)"
       << R"("cost": {"processor_s_per_step": )" << time << R"(}, "energy": {"relative_imbalance": -1e-4}})";
   std::ofstream table(folder / "shear_curve.csv");
@@ -53,6 +54,8 @@ TEST_CASE("a run knows its numbers and the options it was given") {
   const paper::run r(folder / "a");
   CHECK(r.number("strength", "residual_shear_stress_Pa") == 250);
   CHECK(r.number("sample", "radii", 1) == 2.5);
+  CHECK(r.number("strength", "of_kind", "alpha") == 4.5);
+  CHECK_THROWS_AS(r.number("strength", "of_kind", "beta"), std::runtime_error);
   CHECK(std::isnan(r.number("strength", "peak_shear_stress_Pa")));
   CHECK_THROWS_AS(r.number("strength", "colour"), std::runtime_error);
   CHECK(r.option("grains") == "100");
@@ -115,6 +118,7 @@ TEST_CASE("a shear curve begins with what the sample bears at rest, and has a su
   CHECK(c.x == std::vector<double>{0, 0.5, 1, 2});
   CHECK(c.y == std::vector<double>{7, 90, 60, 40});
   CHECK(paper::summit_over_residual(r) == within(1e-12, 90.0 / 50));
+  CHECK(paper::early_over_residual(r) == within(1e-12, 90.0 / 50));
 }
 
 TEST_CASE("a summit at the end of a curve is a lower bound") {
@@ -221,6 +225,28 @@ TEST_CASE("Rumpf's estimate has the tangent and the bridges of its locus") {
   const double volume = grain_volume / (0.6 * 0.02 / 0.0215);
   const double expected = 0.5 * virial / 3 / volume;
   CHECK(paper::shear::expected_cohesion(l, runs("s400").front()).mean == within(1e-9, expected));
+}
+
+TEST_CASE("samples of the companion paper with three seeds stand below its own numbers") {
+  const scratch::folder folder;
+  const auto write = [&](const char* name, double z) {
+    fs::create_directories(folder / name);
+    std::ofstream(folder / name / "summary.json")
+        << R"({"options": "seed 1", "end": {"solid_fraction_bulk": 0.6, "bridges_across_gaps_per_grain": 1},)"
+        << R"("neighbours": {"all_per_grain": )" << z
+        << R"(, "compressive_per_grain": 2, "tensile_per_grain": 3, "rho_compressive_0": 0.1, "rho_tensile_0": 0.2,)"
+        << R"("share_with_as_many_of_both": 0.125}, "neighbours_in_the_bulk": {"all_per_grain": 6},)"
+        << R"("forces": {"largest_over_f0": 2.04, "compressive": {"alpha": 3.9}, "tensile": {"alpha": null}},)"
+        << R"("rest": {"unbalanced_force_ratio": 1e-3}})";
+  };
+  write("loose-eligible-w0.007/seed1", 5), write("loose-eligible-w0.007/seed2", 6);
+  write("dense-touching/seed1", 1);
+  CHECK_THROWS_AS(paper::companion::table_of_samples(fs::path(folder / "x").parent_path()), std::runtime_error);
+  write("loose-eligible-w0.007/seed3", 7);
+  const auto text = paper::companion::table_of_samples(fs::path(folder / "x").parent_path());
+  CHECK(text.find("| companion paper |  | 6.1 | 2.97 | 3.13 |") != std::string::npos);
+  CHECK(text.find("| loose-eligible-w0.007 | 0.600 ± 0.000 | 6.00 ± 0.58 | 2.00 ± 0.00 |") != std::string::npos);
+  CHECK(text.find("dense-touching") == std::string::npos);  // one seed
 }
 
 TEST_CASE("a claim has three seeds") {

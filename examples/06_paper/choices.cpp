@@ -27,9 +27,10 @@ constexpr const char* usual_density = "looser";
 struct way {
   const char* density;  // the folder of its jobs
   const char* label;
+  const char* high = "800";  // the larger of its two loads, Pa
 };
 constexpr std::array ways{way{"dense", "without friction, to 0.60"}, way{"consolidated", "with 0.4, to 0.60"},
-                          way{"looser", "with 0.4, to 0.57"}, way{"as_deposited", "with 0.4, not consolidated"}};
+                          way{"looser", "with 0.4, to 0.57"}, way{"as_deposited", "with 0.4, not consolidated", "550"}};
 
 struct law {
   const char* name;  // in the folders of its jobs
@@ -37,7 +38,7 @@ struct law {
 };
 constexpr std::array laws{law{"viscous", "Eq. 12"}, law{"spring", "spring"}};
 
-/// Dry and wet samples under 300 and 800 Pa.
+/// Dry and wet samples under 300 Pa and a larger load.
 struct group {
   seeds dry, wet, dry_high, wet_high;
 
@@ -46,16 +47,16 @@ struct group {
 };
 
 /// `prefix` comes before w<water>_s<load> in the names of the cases.
-group group_of(const fs::path& folder, const std::string& prefix) {
-  const auto runs = [&](const char* name) { return three_runs_of(folder / (prefix + name)); };
-  return {runs("w0_s300"), runs("w0.01_s300"), runs("w0_s800"), runs("w0.01_s800")};
+group group_of(const fs::path& folder, const std::string& prefix, const std::string& high = "800") {
+  const auto runs = [&](const std::string& name) { return three_runs_of(folder / (prefix + name)); };
+  return {runs("w0_s300"), runs("w0.01_s300"), runs("w0_s" + high), runs("w0.01_s" + high)};
 }
 
 group usual(const fs::path& folder) { return group_of(folder / "yield_loci", ""); }
 
 group group_of(const fs::path& folder, const way& w, const law& l) {
   if (w.density == std::string(usual_density) && l.name == std::string("viscous")) return usual(folder);
-  return group_of(folder / "choices" / w.density, l.name + std::string("_"));
+  return group_of(folder / "choices" / w.density, l.name + std::string("_"), w.high);
 }
 
 measured of_sample(const seeds& s, const char* name) {

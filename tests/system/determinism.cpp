@@ -305,8 +305,8 @@ TEST_CASE("a resumed run goes on with the same bits") {
   SECTION("viscous friction and homogeneous redistribution") {
     check_restart([] { return wet_scene(creeping, protocol::homogeneous{150}, {}); });
   }
-  SECTION("touching pairs only, films held by the grains") {
-    const bond_selection selection{.thinning = 1.2, .seed = 3, .widest_gap = 0, .film_thickness = 1e-8};
+  SECTION("close pairs only, films held by the grains") {
+    const bond_selection selection{.thinning = 1.2, .seed = 3, .widest_gap = 5e-5, .film_thickness = 5e-7};
     check_restart([] { return wet_scene(rubbing, protocol::homogeneous{150}, {}); }, selection);
     check_restart([] { return wet_scene(rubbing, protocol::grain_films{}, {}); }, selection);
   }

@@ -116,6 +116,8 @@ void draw(const fs::path& folder, const fs::path& figures, const char* what, see
   p.title = std::string("Shear stress, ") + what + ", 300 Pa, means of three seeds; dashed: spring";
   p.x_label = "displacement over mean diameter";
   p.y_label = "shear stress (Pa)";
+  p.x_range = {{0, 2}};
+  p.y_range = {{0, 500}};
   for (std::size_t k = 0; k < ways.size(); ++k) {
     for (const law& l : laws) {
       const bool spring = l.name == std::string("spring");

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+include("${CMAKE_CURRENT_LIST_DIR}/../common/expect_complaint.cmake")
+
+file(REMOVE_RECURSE "${folder}/bad")
+expect_complaint("--confiningpressure" --confiningpressure 100)
+expect_complaint("--pressure" --pressure 0)
+expect_complaint("--confining-pressure" --confining-pressure -1)
+expect_complaint("--unbalanced-force" --unbalanced-force nan)
+expect_complaint("--widest-gap" --widest-gap -1)
+expect_complaint("--water-content is 0" --water-content 0)
+expect_complaint("--protocol gravity" --protocol gravity)
+expect_complaint("--law willett is not built" --law willett --friction coulomb-spring)
+expect_complaint("viscous-coulomb-explicit is not built" --friction viscous-coulomb-explicit)
+expect_complaint("overlap over the diameter" --stiffness 100 --grains 150)
+expect_complaint("the time step .s., against stiffness" --time-step 1e-4 --grains 150)
+expect_complaint("checkpoint" --resume)

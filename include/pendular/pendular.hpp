@@ -9,11 +9,15 @@
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/coulomb_fit.hpp>
 #include <pendular/observe/energy.hpp>
+#include <pendular/observe/exponential_decay.hpp>
 #include <pendular/observe/fabric.hpp>
 #include <pendular/observe/force_distribution.hpp>
 #include <pendular/observe/grain_pressures.hpp>
+#include <pendular/observe/pair_signs.hpp>
 #include <pendular/observe/probability_density.hpp>
+#include <pendular/observe/solid_fraction.hpp>
 #include <pendular/observe/stress.hpp>
+#include <pendular/scene/cohesive_sample.hpp>
 #include <pendular/scene/direct_shear.hpp>
 #include <pendular/scene/simple_compression.hpp>
 #include <pendular/system.hpp>

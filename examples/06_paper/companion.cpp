@@ -5,8 +5,10 @@
 #include "measured.hpp"
 #include "run.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace paper::companion {
@@ -38,12 +40,24 @@ std::vector<column> columns() {
           {"the same in the bulk, all", "%.2f", "", of("neighbours_in_the_bulk", "all_per_grain")},
           {"bridges across gaps", "%.2f", "", of("end", "bridges_across_gaps_per_grain")},
           {"largest force over f_0", "%.1f", "2", of("forces", "largest_over_f0")},
-          {"decay of compression", "%.1f", "4", decay("compressive")},
-          {"of tension", "%.1f", "4", decay("tensile")},
+          {"decay of compression", "%.2f", "4", decay("compressive")},
+          {"of tension", "%.2f", "4", decay("tensile")},
           {"grains that nothing presses", "%.2f", "0.08", of("neighbours", "rho_compressive_0")},
           {"that nothing pulls", "%.2f", "0.08", of("neighbours", "rho_tensile_0")},
           {"with as many of both", "%.3f", "0.125", of("neighbours", "share_with_as_many_of_both")},
           {"unbalanced force ratio", "%.0e", "", of("rest", "unbalanced_force_ratio")}};
+}
+
+/// As their folders are named, from the driest to the wettest.
+std::vector<std::string> samples() {
+  std::vector<std::string> names;
+  for (const std::string packing : {"dense", "loose"}) {
+    for (const char* way : {"touching-w0.007", "eligible-w0.0001", "eligible-w0.0003", "eligible-w0.001",
+                            "eligible-w0.007", "eligible-w0.02"}) {
+      names.push_back(packing + "-" + way);
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -55,8 +69,11 @@ std::string table_of_samples(const std::filesystem::path& folder) {
   examples::markdown::table t(names);
   t.add(printed);
   bool any = false;
-  for (const auto& [name, s] : cases(folder)) {
-    if (s.size() < 3) continue;
+  const auto found = cases(folder);
+  for (const std::string& name : samples()) {
+    const auto at = std::find_if(found.begin(), found.end(), [&](const auto& c) { return c.first == name; });
+    if (at == found.end() || at->second.size() < 3) continue;
+    const seeds& s = at->second;
     any = true;
     std::vector<std::string> cells{name};
     for (const column& c : all) {

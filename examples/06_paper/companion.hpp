@@ -6,7 +6,7 @@
 
 namespace paper::companion {
 
-/// The microstructure of every sample that has been relaxed, three seeds each, and the companion paper's numbers (Richefeu et
+/// The microstructure of the samples of which three seeds have been relaxed, and the companion paper's numbers (Richefeu et
 /// al. 2006, Eur. Phys. J. E 21, 359) beside. Errors: std::runtime_error if no case has its seeds.
 std::string table_of_samples(const std::filesystem::path& folder);
 

@@ -240,7 +240,7 @@ TEST_CASE("samples of the companion paper with three seeds stand below its own n
         << R"("rest": {"unbalanced_force_ratio": 1e-3}})";
   };
   write("loose-eligible-w0.007/seed1", 5), write("loose-eligible-w0.007/seed2", 6);
-  write("dense-touching/seed1", 1);
+  write("dense-touching-w0.007/seed1", 1);
   CHECK_THROWS_AS(paper::companion::table_of_samples(fs::path(folder / "x").parent_path()), std::runtime_error);
   write("loose-eligible-w0.007/seed3", 7);
   const auto text = paper::companion::table_of_samples(fs::path(folder / "x").parent_path());

@@ -14,7 +14,7 @@ options::options() {
   water_content = 0.01;
   protocol = "grain-films";  // section 3.2
   friction = "viscous-coulomb";
-  stiffness = 2500;          // 1000 N/m would let grains of 2 mm overlap by more than a thousandth
+  stiffness = 2500;  // 1000 N/m would let grains of 2 mm overlap by more than a thousandth
   time_step = 3.5e-6;
   mass_scaling = 1;
 }

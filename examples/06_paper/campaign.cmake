@@ -52,7 +52,7 @@ pendular_campaign(shear paper_step w0.01_s300 ${mass_as_it_is} --time-step 1e-6 
 foreach(water 0 0.01)
   foreach(stress 300 550 800)
     foreach(density dense consolidated looser as_deposited)
-      # as it was deposited single grains stand out, which a lid of 800 Pa presses by more than a tenth of their radius
+      # as it was deposited single grains stand out, which a lid of 800 Pa may press by more than a tenth of their radius
       if(density STREQUAL as_deposited AND stress EQUAL 800 OR NOT density STREQUAL as_deposited AND stress EQUAL 550)
         continue()
       endif()

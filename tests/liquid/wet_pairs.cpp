@@ -119,6 +119,27 @@ TEMPLATE_TEST_CASE("no protocol makes a bridge of a film that is held", "", prot
   CHECK(b.free_film(1, c.view()) == within(1e-12, 0.01 - held * 0.1));
 }
 
+TEMPLATE_TEST_CASE("no protocol makes a bridge to a wall of a film that is held", "", protocol::neighbours,
+                   protocol::grain_films, protocol::gravity) {
+  packing c;
+  c.radius = {1};
+  c.position = {{0, 0, 1}};
+  c.listed();
+  c.floor = {{0, 0, 0.0, {0, 0, -1}}};
+  constexpr std::size_t floor = 0;
+  const double held = 4 * pi * 1e-3;
+  auto b = bonds_of(wet(volume_is_distance{}, TestType{}), c, {}, {held + 0.02});
+  b.select({.film_thickness = 1e-3});
+  b.refresh(0, c.view());
+  const auto step = [&](double gap) { return c.settle(b, std::vector<double>(lane_count, gap)); };
+  CHECK(step(-1e-3).formations == 1);
+  CHECK(b.book().bonds()[floor] == within(1e-12, 0.02));
+  CHECK(b.book().films()[0] == within(1e-12, held));
+  CHECK(step(0.5).ruptures == 1);
+  CHECK(b.free_film(0, c.view()) == within(1e-12, 0.02));
+  CHECK(b.book().total() == within(1e-15, held + 0.02));
+}
+
 TEST_CASE("at a wall that carries bridges the gap is asked, too") {
   packing c;
   c.radius = {1, 1};

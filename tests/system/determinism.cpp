@@ -126,21 +126,26 @@ class threads {
 
 #ifdef _OPENMP
 TEST_CASE("one and two threads give the same bits, energy book included") {
-  const auto run = [](int count, auto s) {
+  const auto run = [](int count, auto s, const bond_selection& selection) {
     const threads some(count);
     s.run(300);
-    s.distribute_liquid(added_liquid);
+    s.distribute_liquid(added_liquid, selection);
     s.run(300);
     auto f = fingerprint(s);
     f.push_back(observe::energies_of(s).balance());
     CHECK(s.bridges().count() > 100);
     return f;
   };
-  const auto check = [&](const auto& s) { CHECK(same_bits(run(1, s), run(2, s))); };
+  const auto check = [&](const auto& s, const bond_selection& selection = {}) {
+    CHECK(same_bits(run(1, s, selection), run(2, s, selection)));
+  };
   const int side = 9;  // 729 grains: more than one chunk of every kind
   check(wet_scene(rubbing, protocol::grain_films{}, 0.2, side));
   check(wet_scene(creeping, protocol::homogeneous{200}, 0.2, side));
   check(wet_walled_scene(protocol::neighbours{}, 0.2, side));
+  const bond_selection some{.thinning = 1.2, .seed = 3, .widest_gap = 5e-5, .film_thickness = 5e-8};
+  check(wet_scene(creeping, protocol::homogeneous{200}, 0.2, side), some);
+  check(wet_walled_scene(protocol::grain_films{}, 0.2, side), some);
 }
 #endif
 
@@ -312,6 +317,9 @@ TEST_CASE("a resumed run goes on with the same bits") {
   }
   SECTION("bridges at walls") {
     check_restart([] { return wet_walled_scene(protocol::grain_films{}, {}); });
+  }
+  SECTION("bridges at walls, films held by the grains") {
+    check_restart([] { return wet_walled_scene(protocol::neighbours{}, {}); }, {.film_thickness = 5e-7});
   }
   SECTION("half-step velocities and gravity") {
     check_restart([] {

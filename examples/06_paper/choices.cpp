@@ -182,7 +182,6 @@ std::string speeds(const fs::path& folder) {
   const auto row = [&](const char* speed, const group& g) {
     add(t, {speed, residual(g.dry), residual(g.wet)}, lines_of(g));
   };
-  row("2.5", group_of(folder / "speed", "v2.5e-3_"));
   row("5", usual(folder));
   row("10", group_of(folder / "speed", "v10e-3_"));
   return t.text();

@@ -24,7 +24,7 @@ struct lane_findings {
   block zero{0.0};    // no number where a value is not finite
 
   void demand_finite(const block& values) { zero += 0.0 * values; }
-  contact_findings folded() const { return {any(event > 0), !all(room > 0 && zero == block(0.0))}; }
+  contact_findings folded() const { return {any(event > 0), !all(room > 0 && zero == 0)}; }
 };
 
 }  // namespace pendular

@@ -97,8 +97,8 @@ lanes<W> log(const lanes<W>& x) {
                              0.18181795630884753, 0.15386240205813478, 0.13268759668560612, 0.13086767009948175);
   const lanes<W> result = n * detail::ln2_high + (f - (half - (s * (half + series) + n * detail::ln2_low)));
   const lanes<W> above = select(x > 0.0, result, lanes<W>(detail::no_number));
-  const lanes<W> finite = select(x == lanes<W>(0.0), lanes<W>(-detail::infinity), above);
-  return select(x == lanes<W>(detail::infinity), x, finite);
+  const lanes<W> finite = select(x == 0.0, lanes<W>(-detail::infinity), above);
+  return select(x == detail::infinity, x, finite);
 }
 
 /// x to a power that all lanes share: e^(exponent ln x), with the signs of std::pow.
@@ -145,7 +145,7 @@ quarter<W> quarter_of(const lanes<W>& x) {
 template <int W>
 lanes<W> sin(const lanes<W>& x) {
   const auto q = detail::quarter_of(x);
-  const lanes<W> size = select(abs(q.turn) == lanes<W>(1.0), q.cosine, q.sine);
+  const lanes<W> size = select(abs(q.turn) == 1.0, q.cosine, q.sine);
   const lanes<W> near = select(q.turn < 0.0 || q.turn > 1.0, -size, size);
   const auto far = abs(x) > detail::farthest_angle;
   return any(far) ? select(far, detail::one_by_one([](double v) { return std::sin(v); }, x), near) : near;
@@ -154,8 +154,8 @@ lanes<W> sin(const lanes<W>& x) {
 template <int W>
 lanes<W> cos(const lanes<W>& x) {
   const auto q = detail::quarter_of(x);
-  const lanes<W> size = select(abs(q.turn) == lanes<W>(1.0), q.sine, q.cosine);
-  const lanes<W> near = select(abs(q.turn) > 1.0 || q.turn == lanes<W>(1.0), -size, size);
+  const lanes<W> size = select(abs(q.turn) == 1.0, q.sine, q.cosine);
+  const lanes<W> near = select(abs(q.turn) > 1.0 || q.turn == 1.0, -size, size);
   const auto far = abs(x) > detail::farthest_angle;
   return any(far) ? select(far, detail::one_by_one([](double v) { return std::cos(v); }, x), near) : near;
 }

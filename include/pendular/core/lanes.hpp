@@ -106,6 +106,7 @@ struct lanes {
   friend mask operator<=(const lanes& a, const lanes& b) { return compared(std::less_equal<>{}, a, b); }
   friend mask operator>=(const lanes& a, const lanes& b) { return compared(std::greater_equal<>{}, a, b); }
   friend mask operator==(const lanes& a, const lanes& b) { return compared(std::equal_to<>{}, a, b); }
+  friend mask operator!=(const lanes& a, const lanes& b) { return compared(std::not_equal_to<>{}, a, b); }
 
   friend lanes sqrt(const lanes& a) {
     return each([](const auto& x) { return square_root(x); }, a);
@@ -160,6 +161,8 @@ template <Lanes T, Number A> typename T::mask operator<(const T& a, A b) { retur
 template <Lanes T, Number A> typename T::mask operator>(const T& a, A b) { return a > T(b); }
 template <Lanes T, Number A> typename T::mask operator<=(const T& a, A b) { return a <= T(b); }
 template <Lanes T, Number A> typename T::mask operator>=(const T& a, A b) { return a >= T(b); }
+template <Lanes T, Number A> typename T::mask operator==(const T& a, A b) { return a == T(b); }
+template <Lanes T, Number A> typename T::mask operator!=(const T& a, A b) { return a != T(b); }
 template <Lanes T, Number A> typename T::mask operator<(A a, const T& b) { return T(a) < b; }
 template <Lanes T, Number A> typename T::mask operator>(A a, const T& b) { return T(a) > b; }
 

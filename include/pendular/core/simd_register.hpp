@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -118,7 +120,7 @@ template <class V>
 #endif
   V root = a;
   for (std::size_t k = 0; k < sizeof(V) / sizeof(element_of<V>); ++k) {
-    root[k] = sizeof(element_of<V>) == 8 ? __builtin_sqrt(a[k]) : __builtin_sqrtf(static_cast<float>(a[k]));
+    root[k] = static_cast<element_of<V>>(std::sqrt(a[k]));
   }
   return root;
 }

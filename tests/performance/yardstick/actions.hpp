@@ -44,7 +44,7 @@ void store(action* rows, const quad_block& values) {
 inline void add_wall(std::vector<action>& sums, const wall_rows& wall, std::size_t r, const action_block& acts) {
   const block lever = acts.radius_i + acts.gap;
   quad force[pendular::lane_count], turn[pendular::lane_count];
-  pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(block::Zero())});
+  pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(0.0)});
   pendular::store(turn, {lever * acts.turn.x, lever * acts.turn.y, lever * acts.turn.z, acts.touching});
   const std::size_t real = std::min<std::size_t>(pendular::lane_count, wall.count - r);
   for (std::size_t lane = 0; lane < real; ++lane)
@@ -61,7 +61,7 @@ class straight_actions {
     const block lever_i = acts.radius_i + 0.5 * acts.gap, lever_j = acts.radius_j + 0.5 * acts.gap;
     const lanes3 on_i = lever_i * acts.turn, on_j = lever_j * acts.turn;
     quad force[pendular::lane_count], first[pendular::lane_count], second[pendular::lane_count];
-    pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(block::Zero())});
+    pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(0.0)});
     pendular::store(first, {on_i.x, on_i.y, on_i.z, acts.touching});
     pendular::store(second, {on_j.x, on_j.y, on_j.z, acts.touching});
     const std::size_t real = std::min<std::size_t>(pendular::lane_count, pairs.count - p);
@@ -73,7 +73,7 @@ class straight_actions {
   }
   void put_force(const pair_rows& pairs, std::size_t p, const lanes3& force) {
     quad row[pendular::lane_count];
-    pendular::store(row, {force.x, force.y, force.z, block(block::Zero())});
+    pendular::store(row, {force.x, force.y, force.z, block(0.0)});
     const std::size_t real = std::min<std::size_t>(pendular::lane_count, pairs.count - p);
     for (std::size_t lane = 0; lane < real; ++lane) {
       const four f = whole(row[lane]);
@@ -113,7 +113,7 @@ class listed_actions {
   }
   /// Where the torques are 0 already.
   void put_force(const pair_rows&, std::size_t p, const lanes3& force) {
-    detail::store<&action::force>(&rows_[p], {force.x, force.y, force.z, block(block::Zero())});
+    detail::store<&action::force>(&rows_[p], {force.x, force.y, force.z, block(0.0)});
   }
   void put_nothing(std::size_t p) { std::fill_n(&rows_[p], pendular::lane_count, action{}); }
   void put_wall(const wall_rows& wall, std::size_t r, const action_block& acts) {

@@ -71,7 +71,7 @@ class dry_scene {
   lanes3 loaded(const lanes3& memory, const lanes3& n, const block& twist, const lanes3& slip) const {
     const lanes3 turned = memory + twist * cross(n, memory), laid = pendular::tangential_part(turned, n);
     const block same_length = (dot(memory, memory) / dot(laid, laid).max(1e-60)).sqrt();
-    return same_length * laid - block(block::Constant(tangential_stiffness * p_.time_step)) * slip;
+    return same_length * laid - block(tangential_stiffness * p_.time_step) * slip;
   }
 
   struct springs {
@@ -93,7 +93,7 @@ class dry_scene {
     pendular::store(s.z.data() + p, traction.z);
     acts.force = traction - push * n;
     acts.turn = cross(n, traction);
-    acts.touching = block::Zero();
+    acts.touching = block(0.0);
   }
 
   static void forget(springs& s, std::size_t p) {
@@ -132,7 +132,7 @@ class dry_scene {
     const block gap = (w % 2 == 1 ? block(b_.edge(axis) - along) : along) - x.d;
     if (!(gap.minCoeff() < 0)) return forget(of_walls_[w], r);
     const quad_block v = gather(b_.motion.data(), near), s = gather(spin_.data(), near);
-    const block one = block::Constant(w % 2 == 1 ? 1 : -1), zero = block::Zero();
+    const block one = block(w % 2 == 1 ? 1 : -1), zero = block(0.0);
     const lanes3 n{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero}, spin{s.a, s.b, s.c};
     action_block acts{{}, {}, gap, x.d, {}, {}};
     touch(of_walls_[w], r, n, {v.a, v.b, v.c}, cross(block(x.d + gap) * spin, n), 0.5 * p_.time_step * dot(spin, n),

@@ -117,7 +117,7 @@ class wet_scene {
     const block mass_rate = mass / (count * p_.time_step), resistance = 0.5625 * mass_rate;
     const block limit = p_.friction * push.max(0.0);
     const lanes3 trial = block(viscosity / (viscosity + resistance)) * (memory - resistance * slip);
-    const lanes3 elastic = slip + block(block::Constant(1 / viscosity)) * trial;
+    const lanes3 elastic = slip + block(1 / viscosity) * trial;
     memory = pendular::shortened_to(lanes3(memory - block(0.0625 * mass_rate) * elastic), limit);
     return pendular::shortened_to(trial, limit);
   }
@@ -178,7 +178,7 @@ class wet_scene {
     const block distance = square.sqrt(), gap = distance - from.d - to.d;
     meeting m;
     m.n = block(1 / distance) * branch;
-    m.pull = bonded ? pull(p, gap) : block(block::Zero());
+    m.pull = bonded ? pull(p, gap) : block(0.0);
     if (!touching) return actions_.put_force(b_.pairs, p, m.pull * m.n);
     action_block acts{{}, {}, gap, from.d, to.d, {}};
     meet(i, j, acts, m);
@@ -205,7 +205,7 @@ class wet_scene {
     const block gap = (w % 2 == 1 ? block(b_.edge(axis) - along) : along) - x.d;
     if (!(gap.minCoeff() < 0)) return forget(of_walls_[w], r);
     const quad_block v = gather(b_.motion.data(), near), s = gather(spin_.data(), near);
-    const block one = block::Constant(w % 2 == 1 ? 1 : -1), zero = block::Zero();
+    const block one = block(w % 2 == 1 ? 1 : -1), zero = block(0.0);
     const lanes3 n{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero}, spin{s.a, s.b, s.c};
     action_block acts{{}, {}, gap, x.d, {}, {}};
     touch(

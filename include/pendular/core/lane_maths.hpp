@@ -114,8 +114,11 @@ lanes<W> pow(const lanes<W>& x, P exponent) {
 /// Third root, negative below 0.
 template <int W>
 lanes<W> cbrt(const lanes<W>& x) {
-  const lanes<W> size = abs(x), guess = exp(log(size) / 3.0);
-  const lanes<W> root = guess - (guess * guess * guess - size) / (3.0 * guess * guess);
+  const lanes<W> size = abs(x);
+  const auto small = size < 1e-280;  // whose cube would have too few digits
+  const lanes<W> scaled = select(small, size * 0x1p300, size), guess = exp(log(scaled) / 3.0);
+  const lanes<W> better = guess - (guess * guess * guess - scaled) / (3.0 * guess * guess);
+  const lanes<W> root = select(small, better * 0x1p-100, better);
   return select(size > 0.0 && size < detail::infinity, select(x < 0.0, -root, root), x);
 }
 

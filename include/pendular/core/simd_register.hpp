@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -18,10 +19,13 @@ namespace pendular::simd {
 
 #if defined(__AVX512F__)
 inline constexpr int register_bytes = 64;
+inline constexpr std::string_view instruction_set = "AVX-512";
 #elif defined(__AVX__)
 inline constexpr int register_bytes = 32;
+inline constexpr std::string_view instruction_set = "AVX";
 #else
 inline constexpr int register_bytes = 16;
+inline constexpr std::string_view instruction_set = "registers of 16 bytes";
 #endif
 
 template <class E, int W>

@@ -172,8 +172,9 @@ class wall_contacts {
     return e;
   }
 
+  // Flattened, because a block passed to a function that is not inlined goes through memory.
   template <class Grains>
-  void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
+  PENDULAR_FLATTEN void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
                       const contact_clock& clock, std::size_t k, lane_findings& found) {
     const quad_block place = gather(g.template rows<grain_row::place>().data(), rows_.data() + k);
     const block& radius = place.d;
@@ -197,14 +198,17 @@ class wall_contacts {
     }
     const Vec3<block> force = f.traction - block(f.push - pull) * e.normal;
     const Vec3<block> torque = block(e.approaching.radius_i + e.approaching.gap) * cross(e.normal, f.traction);
-    for (int lane = 0; lane < lane_count; ++lane) {
-      const std::size_t row = k + static_cast<std::size_t>(lane);
-      force_[row] = {force.x[lane], force.y[lane], force.z[lane]};
-      torque_[row] = {torque.x[lane], torque.y[lane], torque.z[lane]};
-    }
+    put_rows(force_.data() + k, force);
+    put_rows(torque_.data() + k, torque);
     if constexpr (KeepsBook) work_.add(k, count_, e, f, clock);
     found.room = min(found.room, gap + clock.overlap_limit * radius);
     found.demand_finite(gap + force.x + force.y + force.z);
+  }
+
+  static void put_rows(vector* rows, const Vec3<block>& v) {
+    quad four[lane_count];
+    store(four, {v.x, v.y, v.z, block(0.0)});
+    for (int lane = 0; lane < lane_count; ++lane) rows[lane] = {four[lane].a, four[lane].b, four[lane].c};
   }
 
   std::size_t count_ = 0;

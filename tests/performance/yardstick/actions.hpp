@@ -25,21 +25,6 @@ inline void add(action& sum, const four& force, const four& torque) {
   whole(sum.torque) += torque;
 }
 
-/// One half of eight rows that follow each other.
-template <quad action::*Half>
-void store(action* rows, const quad_block& values) {
-  pendular::detail::eight_doubles a, b, c, d;
-  pendular::detail::read(a, values.a);
-  pendular::detail::read(b, values.b);
-  pendular::detail::read(c, values.c);
-  pendular::detail::read(d, values.d);
-  pendular::detail::transpose(a, b, c, d);
-  pendular::detail::write(a, rows[0].*Half, rows[4].*Half);
-  pendular::detail::write(b, rows[1].*Half, rows[5].*Half);
-  pendular::detail::write(c, rows[2].*Half, rows[6].*Half);
-  pendular::detail::write(d, rows[3].*Half, rows[7].*Half);
-}
-
 /// A wall acts on the grains of a block.
 inline void add_wall(std::vector<action>& sums, const wall_rows& wall, std::size_t r, const action_block& acts) {
   const block lever = acts.radius_i + acts.gap;
@@ -108,12 +93,13 @@ class listed_actions {
   }
 
   void put(const pair_rows&, std::size_t p, const action_block& acts) {
-    detail::store<&action::force>(&rows_[p], {acts.force.x, acts.force.y, acts.force.z, acts.gap});
-    detail::store<&action::torque>(&rows_[p], {acts.turn.x, acts.turn.y, acts.turn.z, acts.touching});
+    put_forces(p, {acts.force.x, acts.force.y, acts.force.z, acts.gap});
+    const quad_block torques{acts.turn.x, acts.turn.y, acts.turn.z, acts.touching};
+    pendular::simd::scatter(torques, [&](int k) -> quad& { return rows_[p + static_cast<std::size_t>(k)].torque; });
   }
   /// Where the torques are 0 already.
   void put_force(const pair_rows&, std::size_t p, const lanes3& force) {
-    detail::store<&action::force>(&rows_[p], {force.x, force.y, force.z, block(0.0)});
+    put_forces(p, {force.x, force.y, force.z, block(0.0)});
   }
   void put_nothing(std::size_t p) { std::fill_n(&rows_[p], pendular::lane_count, action{}); }
   void put_wall(const wall_rows& wall, std::size_t r, const action_block& acts) {
@@ -135,6 +121,10 @@ class listed_actions {
   }
 
  private:
+  void put_forces(std::size_t p, const quad_block& forces) {
+    pendular::simd::scatter(forces, [&](int k) -> quad& { return rows_[p + static_cast<std::size_t>(k)].force; });
+  }
+
   std::vector<action> of_walls_, rows_;
 };
 

@@ -132,12 +132,42 @@ TEST_CASE("functions of lanes are right to one unit in the last place, of an ang
   CHECK(worst_of(root, [](long double x) { return std::sqrt(x); }, orders(1e-300, 1e300)) <= 0.5);
 }
 
-TEST_CASE("a power loses a unit in the last place per unit of its logarithm") {
-  for (const double p : {-0.53, 0.34, 1.5, 2.0, -3.0}) {
+TEST_CASE("a power loses a unit in the last place per unit of its logarithm, and none as product, quotient or root") {
+  for (const double p : {-0.53, 0.34, 2.7, 4.0, -3.0, 2.0, 3.0, -1.0, -2.0, 0.5, 1.5}) {
     const auto power = [=](auto x) { return pendular::pow(x, p); };
     const auto exact = [=](long double x) { return std::pow(x, static_cast<long double>(p)); };
-    CHECK(worst_of(power, exact, orders(1e-13, 10)) < 2 + std::abs(p) * 30);
+    const bool short_form = p == 2 || p == 3 || p == -1 || p == -2 || p == 0.5 || p == 1.5;
+    CHECK(worst_of(power, exact, orders(1e-13, 10)) < (short_form ? 2 : 2 + std::abs(p) * 30));
   }
+}
+
+TEST_CASE("powers have the limits and signs of the C library") {
+  const double most = std::numeric_limits<double>::max();
+  const std::array<double, 8> some{-2.0, -0.0, 0.0, 1.0, -1.0, infinite, -infinite, nothing};
+  const std::array<double, 8> others{most, least, 1e308, -1e308, 0.5, 4.0, -0.3, 1e-308};
+  for (const double p : {1.0, 2.0, 3.0, -1.0, -2.0, 0.5, 1.5, 4.0, 5.0, -3.0, 0.3, -0.5, infinite, -infinite, 0.0}) {
+    for (const auto& x : {some, others}) {
+      const block y = pendular::pow(block::load(x.data()), p), each = pendular::pow(block::load(x.data()), block(p));
+      for (int k = 0; k < 8; ++k) {
+        const double e = std::pow(x[static_cast<std::size_t>(k)], p);
+        CAPTURE(p, x[static_cast<std::size_t>(k)], y[k], e);
+        CHECK((std::isnan(e) ? std::isnan(y[k]) : y[k] == e || std::abs(y[k] / e - 1) < 1e-12 || e < least));
+        CHECK((std::isnan(e) || std::signbit(y[k]) == std::signbit(e)));
+        CHECK((std::isnan(e) ? std::isnan(each[k]) : each[k] == e));
+      }
+    }
+  }
+  CHECK(pendular::pow(2.0, block(3.0))[5] == 8);
+}
+
+TEST_CASE("what laws write besides") {
+  block x = counting(1);
+  x += 1.0, x *= 2, x -= 1, x /= 3.0f;
+  CHECK((x[0] == 1 && x[7] == within(1e-15, 17.0 / 3)));
+  CHECK((all(1 <= x) && any(1 == x) && any(1 != x) && !any(1 > x) && any(5 >= x)));
+  CHECK(pendular::select(true, x, block(0.0))[0] == 1);
+  CHECK(std::numeric_limits<block>::infinity()[3] == infinite);
+  CHECK(all(std::numeric_limits<lanes<4, float>>::epsilon() == std::numeric_limits<float>::epsilon()));
 }
 
 TEST_CASE("functions of lanes at the ends of the numbers") {
@@ -154,7 +184,7 @@ TEST_CASE("functions of lanes at the ends of the numbers") {
                {0, 0, infinite, nothing, nothing, std::sqrt(least), std::sqrt(denormal), nothing});
   check_values([](auto v) { return pendular::abs(v); }, x, {0, 0, infinite, infinite, nothing, least, denormal, 1});
   check_values([](auto v) { return pendular::pow(v, 0.5); }, x,
-               {0, 0, infinite, nothing, nothing, std::sqrt(least), std::sqrt(denormal), nothing}, 1e-13);
+               {0, 0, infinite, infinite, nothing, std::sqrt(least), std::sqrt(denormal), nothing}, 1e-13);
   check_values([](auto v) { return pendular::pow(v, 3); }, x, {0, 0, infinite, -infinite, nothing, 0, 0, -1});
   check_values([](auto v) { return pendular::pow(v, 0); }, x, {1, 1, 1, 1, 1, 1, 1, 1});
   check_values([](auto v) { return pendular::exp(v); }, {-708.4, -708.3, 709.7, 709.79, -1e300, 1e300, 0, 0},

@@ -3,6 +3,8 @@
 // expect 2: a comparison of lanes has an answer for each of them
 // expect 3: a comparison of lanes has an answer for each of them
 // expect 4: lanes are several numbers, of which none is the value
+// expect 5: the number of lanes is a power of two
+// expect 6: lanes are of double or of float
 #include <pendular/core/lanes.hpp>
 #include <pendular/law/inputs.hpp>
 
@@ -30,5 +32,12 @@ struct my_law {
 #endif
   }
 };
+
+#if PENDULAR_MISTAKE == 5
+using six = lanes<6>;
+const six none_of_these(0.0);
+#elif PENDULAR_MISTAKE == 6
+const lanes<8, int> none_of_these(0);
+#endif
 
 block hot_loop(const approach<block>& a) { return my_law{}.repulsion(a); }

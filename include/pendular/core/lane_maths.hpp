@@ -9,10 +9,10 @@
 #include <limits>
 #include <numbers>
 
-// Functions of lanes of double, to a few units in the last place and to the same bits in every build: they are sums and
-// products of lanes only. The polynomials are interpolants at the Chebyshev nodes of the interval beside them, worked out
+// Functions of lanes of double, to a few units in the last place (pow: see there) and to the same bits in every build:
+// they are sums and products of lanes, and roots. The polynomials are interpolants at the Chebyshev nodes of the interval beside them, worked out
 // with 60 digits. Lanes of float go number by number: they are for the tests of laws.
-namespace pendular::simd {
+namespace pendular::simd::inline PENDULAR_REGISTERS {
 
 namespace detail {
 template <int W, class E, class F>
@@ -101,14 +101,42 @@ lanes<W> log(const lanes<W>& x) {
   return select(x == detail::infinity, x, finite);
 }
 
-/// x to a power that all lanes share: e^(exponent ln x), with the signs of std::pow.
+namespace detail {
+/// |x|^p with the sign that std::pow gives it; `odd` and `whole` say what p is.
+template <int W>
+lanes<W> with_sign_of_power(const lanes<W>& size, const lanes<W>& x, bool whole, bool odd) {
+  const auto below = x < 0.0 || 1.0 / x == -infinity;  // minus zero, too
+  if (odd) return select(below, -size, size);
+  return whole ? size : select(x < 0.0 && x > -infinity, lanes<W>(no_number), size);
+}
+}  // namespace detail
+
+/// x to a power that all lanes share, with the limits and signs of std::pow: products, quotients and roots for small whole
+/// numbers and halves, else e^(p ln |x|), to |p ln x| units in the last place.
 template <int W, Number P>
 lanes<W> pow(const lanes<W>& x, P exponent) {
   const double p = static_cast<double>(exponent);
   if (p == 0) return lanes<W>(1.0);
-  const lanes<W> size = exp(p * log(abs(x)));
-  if (std::trunc(p) != p) return select(x < 0.0, lanes<W>(detail::no_number), size);
-  return std::fmod(p, 2) == 0 ? size : select(x < 0.0, -size, size);
+  if (p == 1) return x;
+  if (p == 2) return x * x;
+  if (p == 3) return x * x * x;
+  if (p == -1) return 1.0 / x;
+  if (p == -2) return 1.0 / (x * x);
+  const lanes<W> size = abs(x);
+  if (p == 0.5) return detail::with_sign_of_power(sqrt(size), x, false, false);
+  if (p == 1.5) return detail::with_sign_of_power(size * sqrt(size), x, false, false);
+  const bool whole = std::trunc(p) == p, odd = std::abs(std::fmod(p, 2)) == 1;
+  const lanes<W> power = select(size == 1.0, lanes<W>(1.0), exp(p * log(size)));
+  return detail::with_sign_of_power(power, x, whole, odd);
+}
+/// Each lane to its own power, number by number.
+template <int W>
+lanes<W> pow(const lanes<W>& x, const lanes<W>& exponent) {
+  return lanes<W>::from([&](int k) { return std::pow(x[k], exponent[k]); });
+}
+template <int W, Number A>
+lanes<W> pow(A x, const lanes<W>& exponent) {
+  return pow(lanes<W>(x), exponent);
 }
 
 /// Third root, negative below 0.
@@ -176,6 +204,14 @@ floats<W> log(const floats<W>& x) {
 template <int W, Number P>
 floats<W> pow(const floats<W>& x, P exponent) {
   return detail::one_by_one([p = static_cast<float>(exponent)](float v) { return std::pow(v, p); }, x);
+}
+template <int W>
+floats<W> pow(const floats<W>& x, const floats<W>& exponent) {
+  return floats<W>::from([&](int k) { return std::pow(x[k], exponent[k]); });
+}
+template <int W, Number A>
+floats<W> pow(A x, const floats<W>& exponent) {
+  return pow(floats<W>(x), exponent);
 }
 template <int W>
 floats<W> cbrt(const floats<W>& x) {

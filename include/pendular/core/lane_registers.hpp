@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace pendular::simd {
+namespace pendular::simd::inline PENDULAR_REGISTERS {
 
 /// W numbers in as many registers as they need: halves of halves, so that the compiler sees values and no array.
 template <class E, int W>

@@ -4,9 +4,11 @@
 #include <pendular/core/lane_registers.hpp>
 #include <pendular/core/vec.hpp>
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <type_traits>
 
 // Inlines all that a function calls, where that is what its speed stands on. Not under sanitizers, whose checks make
@@ -25,7 +27,7 @@
 namespace pendular {
 
 // A namespace of its own, where `sqrt(x)` of lanes is found by its argument: in pendular that name is an object.
-namespace simd {
+namespace simd::inline PENDULAR_REGISTERS {
 
 template <class A>
 concept Number = std::is_arithmetic_v<A>;
@@ -51,6 +53,7 @@ struct lane_mask {
   friend bool any(const lane_mask& m) { return any_true_in(m.bits); }
   friend bool all(const lane_mask& m) { return !any_true_in((!m).bits); }
 
+  // A concept takes a mask for a bool therefore; the sentence is worth it.
   template <std::same_as<bool> B>
   operator B() const {
     static_assert(never<B>,
@@ -63,6 +66,9 @@ struct lane_mask {
 /// W numbers side by side, the same value type in every build: no expression templates, and comparisons to choose by.
 template <int W, class E = double>
 struct lanes {
+  static_assert(W >= 2 && std::has_single_bit(static_cast<unsigned>(W)), "the number of lanes is a power of two");
+  static_assert(std::same_as<E, double> || std::same_as<E, float>, "lanes are of double or of float");
+
   using lane_element = E;
   using mask = lane_mask<W, E>;
   static constexpr int width = W;
@@ -100,6 +106,14 @@ struct lanes {
   lanes& operator-=(const lanes& b) { return *this = *this - b; }
   lanes& operator*=(const lanes& b) { return *this = *this * b; }
   lanes& operator/=(const lanes& b) { return *this = *this / b; }
+  template <Number A>
+  lanes& operator+=(A b) { return *this = *this + lanes(b); }
+  template <Number A>
+  lanes& operator-=(A b) { return *this = *this - lanes(b); }
+  template <Number A>
+  lanes& operator*=(A b) { return *this = *this * lanes(b); }
+  template <Number A>
+  lanes& operator/=(A b) { return *this = *this / lanes(b); }
 
   friend mask operator<(const lanes& a, const lanes& b) { return compared(std::less<>{}, a, b); }
   friend mask operator>(const lanes& a, const lanes& b) { return compared(std::greater<>{}, a, b); }
@@ -163,6 +177,10 @@ template <Lanes T, Number A> typename T::mask operator<=(const T& a, A b) { retu
 template <Lanes T, Number A> typename T::mask operator>=(const T& a, A b) { return a >= T(b); }
 template <Lanes T, Number A> typename T::mask operator==(const T& a, A b) { return a == T(b); }
 template <Lanes T, Number A> typename T::mask operator!=(const T& a, A b) { return a != T(b); }
+template <Lanes T, Number A> typename T::mask operator==(A a, const T& b) { return T(a) == b; }
+template <Lanes T, Number A> typename T::mask operator!=(A a, const T& b) { return T(a) != b; }
+template <Lanes T, Number A> typename T::mask operator<=(A a, const T& b) { return T(a) <= b; }
+template <Lanes T, Number A> typename T::mask operator>=(A a, const T& b) { return T(a) >= b; }
 template <Lanes T, Number A> typename T::mask operator<(A a, const T& b) { return T(a) < b; }
 template <Lanes T, Number A> typename T::mask operator>(A a, const T& b) { return T(a) > b; }
 
@@ -196,5 +214,20 @@ inline block load(const double* from) { return block::load(from); }
 inline void store(double* to, const block& values) { values.store(to); }
 
 }  // namespace pendular
+
+/// So that a law may write std::numeric_limits<T>::infinity().
+template <int W, class E>
+class std::numeric_limits<pendular::lanes<W, E>> : public std::numeric_limits<E> {
+  using number = std::numeric_limits<E>;
+  using lanes = pendular::lanes<W, E>;
+
+ public:
+  static lanes min() { return lanes(number::min()); }
+  static lanes max() { return lanes(number::max()); }
+  static lanes lowest() { return lanes(number::lowest()); }
+  static lanes epsilon() { return lanes(number::epsilon()); }
+  static lanes infinity() { return lanes(number::infinity()); }
+  static lanes quiet_NaN() { return lanes(number::quiet_NaN()); }
+};
 
 #include <pendular/core/lane_maths.hpp>

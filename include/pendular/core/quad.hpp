@@ -4,6 +4,7 @@
 #include <pendular/core/lanes.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace pendular {
 
@@ -24,10 +25,11 @@ struct quad_block {
   block a, b, c, d;
 };
 
-namespace simd {
+namespace simd::inline PENDULAR_REGISTERS {
 
+/// Rows that are four doubles, which is not asked.
 template <class Row>
-concept FourDoubles = sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad);
+concept FourDoubles = std::is_trivially_copyable_v<Row> && sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad);
 
 /// A row as it lies in memory, in one register or two.
 template <FourDoubles Row>
@@ -148,7 +150,7 @@ quad_block gather(const Row* column, const std::int32_t* rows) {
   return {block(a), block(b), block(c), block(d)};
 }
 
-namespace simd {
+namespace simd::inline PENDULAR_REGISTERS {
 /// The opposite: lanes become eight rows, of which row(k) is number k.
 template <class Row>
 [[gnu::always_inline]] inline void scatter(const quad_block& values, const Row& row) {

@@ -133,7 +133,7 @@ struct select_fn {
   T operator()(const Condition& condition, const T& a, const T& b) const {
     if constexpr (std::is_same_v<Condition, T>) {
       return (*this)(condition > T(0), a, b);
-    } else if constexpr (Lanes<T>) {
+    } else if constexpr (Lanes<T> && !std::is_same_v<Condition, bool>) {
       return select(condition, a, b);
     } else {
       return condition ? a : b;

@@ -16,8 +16,22 @@
 #include <emmintrin.h>
 #endif
 
+#if defined(__i386__) && !defined(__SSE2__)
+#error "pendular needs registers that round every result: compile 32-bit programs with -msse2 -mfpmath=sse"
+#endif
+
+// Names of lanes carry the width of registers, because it decides how they are passed: programs put together of parts with
+// different flags do not link instead of reading lanes from where they are not.
+#if defined(__AVX512F__)
+#define PENDULAR_REGISTERS registers_of_64
+#elif defined(__AVX__)
+#define PENDULAR_REGISTERS registers_of_32
+#else
+#define PENDULAR_REGISTERS registers_of_16
+#endif
+
 // One register of the build's own width, and the few things that the compilers' vector extension has no operator for.
-namespace pendular::simd {
+namespace pendular::simd::inline PENDULAR_REGISTERS {
 
 #if defined(__AVX512F__)
 inline constexpr int register_bytes = 64;
@@ -38,7 +52,7 @@ using element_of = std::remove_cvref_t<decltype(std::declval<V>()[0])>;
 
 /// The whole number as wide as E, of which comparisons make -1 for true and 0 for false.
 template <class E>
-using truth_of = std::conditional_t<sizeof(E) == 8, std::int64_t, std::int32_t>;
+using truth_of = element_of<decltype(std::declval<vector_of<E, 2>>() < std::declval<vector_of<E, 2>>())>;
 
 namespace detail {
 /// Whether V is a register of doubles of so many bytes that intrinsics take.
@@ -138,7 +152,7 @@ template <class V>
   return (V)((bits)a & std::numeric_limits<truth>::max());
 }
 
-/// Whether a register of truths has one that is not 0.
+/// Whether a register of truths, -1 or 0, has one that is not 0.
 template <class V>
 [[gnu::always_inline]] inline bool any_true(const V& v) {
 #if defined(__AVX512F__)

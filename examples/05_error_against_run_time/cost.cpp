@@ -4,7 +4,7 @@
 #include "contenders.hpp"
 #include "median.hpp"
 
-#include <Eigen/Core>
+#include <pendular/core/lanes.hpp>
 
 #include <chrono>
 #include <functional>
@@ -22,9 +22,9 @@ template <class T>
 struct width {
   static constexpr int value = 1;
 };
-template <class S, int N>
-struct width<Eigen::Array<S, N, 1>> {
-  static constexpr int value = N;
+template <int W, class E>
+struct width<lanes<W, E>> {
+  static constexpr int value = W;
 };
 
 template <class T>
@@ -32,9 +32,7 @@ T spread(double first, double step) {
   if constexpr (width<T>::value == 1) {
     return static_cast<T>(first);
   } else {
-    T all;
-    for (int k = 0; k < width<T>::value; ++k) all(k) = static_cast<typename T::Scalar>(first + k * step);
-    return all;
+    return T::from([&](int k) { return first + k * step; });
   }
 }
 
@@ -100,8 +98,8 @@ std::vector<of_law> measure() {
     names.push_back(name);
     jobs.push_back({evaluations<double>(law, f), bridges, {}});
     jobs.push_back({evaluations<float>(law, f), bridges, {}});
-    jobs.push_back({evaluations<Eigen::Array<double, 8, 1>>(law, f), bridges, {}});
-    jobs.push_back({evaluations<Eigen::Array<float, 16, 1>>(law, f), bridges, {}});
+    jobs.push_back({evaluations<lanes<8>>(law, f), bridges, {}});
+    jobs.push_back({evaluations<lanes<16, float>>(law, f), bridges, {}});
     jobs.push_back({preparations(law, f), bridges / 16, {}});
   });
   for (int round = 0; round < rounds; ++round) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts.hpp"
 
+#include <pendular/core/simd_register.hpp>
 #include <pendular/io/atomic_file.hpp>
 
 #include <nlohmann/json.hpp>
@@ -58,6 +59,7 @@ void put_facts(json& s, const run_facts& f) {
                  {"turnover_J", f.turnover},
                  {"relative_imbalance", relative_imbalance(f)}};
   s["cost"] = {{"threads", f.threads},
+               {"instruction_set", pendular::simd::instruction_set},
                {"wall_time_s", f.wall_time},
                {"test_time_s", f.test_time},
                {"test_steps", f.test_steps},

@@ -98,19 +98,19 @@ TEST_CASE("shapes give eight grains at a time what they give one") {
   Vec3<block> centre{block(0), block(0), block(0)};
   block radius(0);
   for (int k = 0; k < 8; ++k) {
-    centre.x(k) = 0.3 * k, centre.y(k) = 1 - 0.7 * k, centre.z(k) = 2.0 + k, radius(k) = 0.1 * (k + 1);
+    centre.x.set(k, 0.3 * k), centre.y.set(k, 1 - 0.7 * k), centre.z.set(k, 2.0 + k), radius.set(k, 0.1 * (k + 1));
   }
   const auto round = c.meet(centre, radius);
   const auto flat = p.meet(centre, radius);
   const auto rimmed = half.meet(centre, radius);
   for (int k = 0; k < 8; ++k) {
-    const vector one{centre.x(k), centre.y(k), centre.z(k)};
-    CHECK(round.gap(k) == within(1e-14, c.meet(one, double(radius(k))).gap));
-    CHECK(round.normal.y(k) == near(1e-14, c.meet(one, double(radius(k))).normal.y));
-    CHECK(flat.gap(k) == within(1e-14, p.meet(one, double(radius(k))).gap));
-    CHECK(flat.normal.y(k) == -0.8);
-    CHECK(rimmed.gap(k) == within(1e-14, half.meet(one, double(radius(k))).gap));
-    CHECK(rimmed.normal.y(k) == near(1e-14, half.meet(one, double(radius(k))).normal.y));
+    const vector one{centre.x[k], centre.y[k], centre.z[k]};
+    CHECK(round.gap[k] == within(1e-14, c.meet(one, radius[k]).gap));
+    CHECK(round.normal.y[k] == near(1e-14, c.meet(one, radius[k]).normal.y));
+    CHECK(flat.gap[k] == within(1e-14, p.meet(one, radius[k]).gap));
+    CHECK(flat.normal.y[k] == -0.8);
+    CHECK(rimmed.gap[k] == within(1e-14, half.meet(one, radius[k]).gap));
+    CHECK(rimmed.normal.y[k] == near(1e-14, half.meet(one, radius[k]).normal.y));
   }
 }
 

@@ -89,6 +89,6 @@ TEST_CASE("members of an aggregate may be of different types") {
 TEST_CASE("blocks in an aggregate are scalars of their own") {
   springs<block> s{{block(1), block(2), block(3)}, block(4)};
   std::vector<double> firsts;
-  for_each_scalar<block>(s, [&](block& v) { firsts.push_back(v(0)); });
+  for_each_scalar<block>(s, [&](block& v) { firsts.push_back(v[0]); });
   CHECK(firsts == std::vector<double>{1, 2, 3, 4});
 }

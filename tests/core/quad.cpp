@@ -22,8 +22,8 @@ TEST_CASE("rows are gathered number by number, whatever their order") {
   const quad_block found = gather(rows.data(), wanted.data());
   for (int lane = 0; lane < lane_count; ++lane) {
     const quad expected = numbers_of(wanted[static_cast<std::size_t>(lane)]);
-    CHECK((found.a(lane) == expected.a && found.b(lane) == expected.b));
-    CHECK((found.c(lane) == expected.c && found.d(lane) == expected.d));
+    CHECK((found.a[lane] == expected.a && found.b[lane] == expected.b));
+    CHECK((found.c[lane] == expected.c && found.d[lane] == expected.d));
   }
 }
 
@@ -32,7 +32,7 @@ TEST_CASE("lanes are stored as rows that follow each other, and nothing beside t
   quad_block values;
   for (int lane = 0; lane < lane_count; ++lane) {
     const quad q = numbers_of(10 * lane);
-    values.a(lane) = q.a, values.b(lane) = q.b, values.c(lane) = q.c, values.d(lane) = q.d;
+    values.a.set(lane, q.a), values.b.set(lane, q.b), values.c.set(lane, q.c), values.d.set(lane, q.d);
   }
   store(rows.data() + 1, values);
   for (int lane = 0; lane < lane_count; ++lane) {
@@ -47,8 +47,8 @@ TEST_CASE("two quads of every lane become one row of eight numbers") {
   quad_block low, high;
   for (int lane = 0; lane < lane_count; ++lane) {
     const quad l = numbers_of(lane), h = numbers_of(100 + lane);
-    low.a(lane) = l.a, low.b(lane) = l.b, low.c(lane) = l.c, low.d(lane) = l.d;
-    high.a(lane) = h.a, high.b(lane) = h.b, high.c(lane) = h.c, high.d(lane) = h.d;
+    low.a.set(lane, l.a), low.b.set(lane, l.b), low.c.set(lane, l.c), low.d.set(lane, l.d);
+    high.a.set(lane, h.a), high.b.set(lane, h.b), high.c.set(lane, h.c), high.d.set(lane, h.d);
   }
   store(rows.data() + 1, low, high);
   for (int lane = 0; lane < lane_count; ++lane) {

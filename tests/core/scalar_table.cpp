@@ -46,7 +46,7 @@ TEST_CASE("a row is read as it was written, and every member has its own column"
 TEST_CASE("a block is eight rows, and storing it leaves the others") {
   scalar_table<spring> t = table_of(24);
   spring<block> b = t.load_block(8);
-  CHECK((b.force.x(0) == 9 && b.force.y(7) == 16.25 && b.energy(3) == 12.75));
+  CHECK((b.force.x[0] == 9 && b.force.y[7] == 16.25 && b.energy[3] == 12.75));
   b.energy = -b.energy;
   t.store_block(8, b);
   CHECK(

@@ -62,7 +62,7 @@ TEST_CASE("a block is loaded from and stored to the rows it names") {
   std::array<double, 24> column{};
   for (std::size_t k = 0; k < column.size(); ++k) column[k] = static_cast<double>(k);
   const block middle = load(column.data() + 8);
-  CHECK((middle(0) == 8 && middle(7) == 15));
+  CHECK((middle[0] == 8 && middle[7] == 15));
   store(column.data() + 16, middle);
   CHECK((column[15] == 15 && column[16] == 8 && column[23] == 15));
 }
@@ -73,7 +73,7 @@ TEST_CASE("the unit step of lanes agrees with that of a double, infinities and s
   const std::array<double, 8> expected{0, 0, 0, 0, 1, 1, 1, 1};
   const block steps = unit_step(load(x.data()));
   for (std::size_t k = 0; k < 8; ++k) {
-    CHECK(steps(static_cast<Eigen::Index>(k)) == expected[k]);
+    CHECK(steps[static_cast<int>(k)] == expected[k]);
     CHECK(unit_step(x[k]) == expected[k]);
   }
 }

@@ -54,8 +54,8 @@ struct spring_that_mixes_lanes {
   template <Scalar T>
   T repulsion(const approach<T>& a) const {
     const T overlap = max(T(-a.gap), T(0));
-    if constexpr (detail::EigenArray<T>) {
-      return T(overlap(0));
+    if constexpr (detail::Lanes<T>) {
+      return T(overlap[0]);
     } else {
       return overlap;
     }

@@ -4,6 +4,7 @@
 #include "../catch.hpp"
 #include "two_bodies.hpp"
 
+#include <pendular/core/lanes.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/damping/viscous_on_approach.hpp>
 #include <pendular/law/normal/hertz.hpp>
@@ -97,9 +98,9 @@ TEST_CASE("damping in float and in lanes is damping in double") {
   const damping::viscous law{0.8};
   const float found = law.resistance(approach<float>{-1e-9f, 1e-4f, 1e-9f, 1e-4f, 1e-4f}, 1e3f);
   CHECK(double(found) == within(1e-6, law.resistance(approach<double>{-1e-9, 1e-4, 1e-9, 1e-4, 1e-4}, 1e3)));
-  using sixteen = Eigen::Array<float, 16, 1>;
+  using sixteen = lanes<16, float>;
   const approach<sixteen> open{sixteen(1e-9), sixteen(1.), sixteen(1e-9), sixteen(1e-4), sixteen(1e-4)};
-  CHECK((law.resistance(open, sixteen(1e3)) == 0.f).all());
+  CHECK(all(law.resistance(open, sixteen(1e3)) == 0));
 }
 
 TEST_CASE("damping rates outside the published range are refused") {

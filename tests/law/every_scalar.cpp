@@ -16,8 +16,8 @@ namespace hana = boost::hana;
 
 namespace {
 using exact = boost::multiprecision::cpp_bin_float_50;
-using eight_doubles = Eigen::Array<double, 8, 1>;
-using sixteen_floats = Eigen::Array<float, 16, 1>;
+using eight_doubles = lanes<8>;
+using sixteen_floats = lanes<16, float>;
 
 /// `evaluate(input<T>) -> T` in T against fifty digits; the exponential of a hundred costs two digits.
 template <class T, class Input, class Evaluate>

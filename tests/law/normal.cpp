@@ -5,12 +5,12 @@
 #include "../catch.hpp"
 #include "two_bodies.hpp"
 
+#include <pendular/core/lanes.hpp>
 #include <pendular/law/normal/hertz.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/stiffness.hpp>
 
-#include <Eigen/Core>
-
+#include <array>
 #include <limits>
 
 using namespace pendular;
@@ -78,15 +78,15 @@ TEST_CASE("the stiffness by automatic differentiation is the analytic one") {
 }
 
 TEST_CASE("the stiffness of lanes is found lane by lane") {
-  using eight = Eigen::Array<double, 8, 1>;
-  eight gap;
-  gap << -1e-6, -2e-6, -3e-6, 1e-6, 0.5, -1e-9, -1e-7, -4e-6;
+  using eight = lanes<8>;
+  const std::array<double, 8> gaps{-1e-6, -2e-6, -3e-6, 1e-6, 0.5, -1e-9, -1e-7, -4e-6};
+  const eight gap = eight::load(gaps.data());
   const approach<eight> a{gap, eight(0), eight(1), eight(5e-4), eight(1e-3)};
   const normal::hertz law{7e10, 0.22};
   const eight found = stiffness(taciturn<normal::hertz>{law}, a);
-  for (int k : {0, 1, 2, 5, 6, 7}) CHECK(found(k) == within(1e-13, stiffness(law, at(gap(k), 5e-4, 1e-3))));
+  for (int k : {0, 1, 2, 5, 6, 7}) CHECK(found[k] == within(1e-13, stiffness(law, at(gap[k], 5e-4, 1e-3))));
   const eight own = stiffness(law, a);
-  for (int k = 0; k < 8; ++k) CHECK(own(k) == within(1e-14, stiffness(law, at(gap(k), 5e-4, 1e-3))));
+  for (int k = 0; k < 8; ++k) CHECK(own[k] == within(1e-14, stiffness(law, at(gap[k], 5e-4, 1e-3))));
 }
 
 TEST_CASE("two glass spheres collide as in benchmark 1 of Chung and Ooi") {

@@ -69,8 +69,8 @@ TEST_CASE("it scales, does not care who is i, knows a wall and every scalar") {
   };
   same_in(0.0f);
   same_in(dual(0.0));
-  same_in(Eigen::Array<double, 8, 1>(0.0));
-  same_in(Eigen::Array<float, 16, 1>(0.0f));
+  same_in(lanes<8>(0.0));
+  same_in(lanes<16, float>(0.0f));
 }
 
 TEST_CASE("a least gap out of (0, 1) is refused") {

@@ -2,7 +2,7 @@
 // Viscous-regularised friction on a single block against the closed form of its linear equation of motion,
 // m dv/dt = F - gamma v, hence v = F/gamma + (v0 - F/gamma) exp(-gamma t / m), and against Coulomb's cone.
 #include "../catch.hpp"
-#include "block.hpp"
+#include "slider.hpp"
 
 #include <pendular/law/friction/viscous_coulomb.hpp>
 #include <pendular/law/friction/viscous_coulomb_explicit.hpp>
@@ -17,7 +17,7 @@
 #include <limits>
 
 using namespace pendular;
-using blocks::block;
+using blocks::slider;
 
 namespace {
 constexpr auto both = boost::hana::tuple_t<friction::viscous_coulomb, friction::viscous_coulomb_explicit>;
@@ -32,7 +32,7 @@ Vec3<T> first_traction(const Law& law, const Vec3<T>& velocity, const T& normal_
 /// Velocity after `duration` of a block that is pushed beyond sliding, let go, and pushed back.
 template <class Law>
 double velocity_after_a_push(const Law& law, double time_step) {
-  block b{law, mass, 1e-3, time_step};
+  slider b{law, mass, 1e-3, time_step};
   const double duration = 4e-5;
   const auto steps = std::lround(duration / time_step);
   for (long k = 0; k < steps; ++k) {
@@ -52,9 +52,9 @@ TEST_CASE("at zero slip there is no traction and no division by zero") {
     CHECK(drag == none);
     const Vec3<float> in_float = first_traction(law, Vec3<float>{0.f, 0.f, 0.f}, 0.f);
     CHECK(in_float == Vec3<float>{0, 0, 0});
-    using eight = Eigen::Array<double, 8, 1>;
+    using eight = lanes<8>;
     const Vec3<eight> in_lanes = first_traction(law, {eight(0), eight(0), eight(0)}, eight(0));
-    CHECK((in_lanes.x == 0).all());
+    CHECK(all(in_lanes.x == 0));
   });
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("steady slip is the pull over the viscosity at every time step") {
       const double viscosity = ratio * mass / time_step;
       const double normal_force = 1e-3;
       const double pull = 0.9 * 0.4 * normal_force;
-      block b{friction::viscous_coulomb{viscosity, 0.4}, mass, normal_force, time_step};
+      slider b{friction::viscous_coulomb{viscosity, 0.4}, mass, normal_force, time_step};
       // 40 relaxation times of the dashpot at small ratios, of the numerical element at large ones
       const int steps = int(40 / std::min(ratio, 0.1)) + 1000;
       double highest = 0;
@@ -107,7 +107,7 @@ TEST_CASE("steady slip does not depend on the number of contacts counted") {
 
 TEST_CASE("a pull beyond the cone accelerates by what is left over") {
   boost::hana::for_each(both, [](auto type) {
-    block b{typename decltype(type)::type{1.0, 0.4}, mass, 1e-3, 1e-8};
+    slider b{typename decltype(type)::type{1.0, 0.4}, mass, 1e-3, 1e-8};
     for (int k = 0; k < 20000; ++k) b.step(7e-4);
     // After 0.2 ms at (7e-4 - 4e-4) N over 2e-7 kg: 0.3 m/s, and the viscous start adds less than 2e-4 m/s of speed.
     CHECK(b.velocity == near(5e-4, 0.3));
@@ -141,7 +141,7 @@ TEST_CASE("viscous creep is approached at first order in the time step") {
   boost::hana::for_each(both, [&](auto type) {
     double last = 0;
     for (const int steps : {1000, 2000, 4000, 8000}) {
-      block b{typename decltype(type)::type{0.2, 0.4}, mass, 1e-3, 1e-6 / steps, 3e-4};
+      slider b{typename decltype(type)::type{0.2, 0.4}, mass, 1e-3, 1e-6 / steps, 3e-4};
       for (int k = 0; k < steps; ++k) b.step(1e-4);
       const double error = std::abs(b.velocity - exact);
       if (last > 0) CHECK(last / error == near(0.1, 2.0));
@@ -167,8 +167,8 @@ TEST_CASE("beyond its stability limit the explicit form alternates and grows; th
   const double time_step = 1e-6;
   for (const double ratio : {2.5, 5.0, 1e3}) {
     const double viscosity = ratio * mass / time_step;
-    block published{friction::viscous_coulomb_explicit{viscosity, 0.4}, mass, 1.0, time_step, 1e-9};
-    block stable{friction::viscous_coulomb{viscosity, 0.4}, mass, 1.0, time_step, 1e-9};
+    slider published{friction::viscous_coulomb_explicit{viscosity, 0.4}, mass, 1.0, time_step, 1e-9};
+    slider stable{friction::viscous_coulomb{viscosity, 0.4}, mass, 1.0, time_step, 1e-9};
     double highest = 0;
     for (int k = 0; k < 8; ++k) {
       const double before = published.velocity;
@@ -182,7 +182,7 @@ TEST_CASE("beyond its stability limit the explicit form alternates and grows; th
     CHECK(highest < 1e-9);
     CHECK(std::abs(stable.velocity) < 1e-2 * 1e-9);
   }
-  block calm{friction::viscous_coulomb_explicit{1.9 * mass / time_step, 0.4}, mass, 1.0, time_step, 1e-9};
+  slider calm{friction::viscous_coulomb_explicit{1.9 * mass / time_step, 0.4}, mass, 1.0, time_step, 1e-9};
   for (int k = 0; k < 300; ++k) calm.step(0);
   CHECK(std::abs(calm.velocity) < 1e-20);
 }
@@ -232,7 +232,7 @@ TEST_CASE("a contact that slid for long turns back at once") {
 }
 
 TEST_CASE("the explicit form beyond its limit is held by the cone only") {
-  block published{friction::viscous_coulomb_explicit{1.0, 0.4}, mass, 1e-3, 1e-6, 1e-6};
+  slider published{friction::viscous_coulomb_explicit{1.0, 0.4}, mass, 1e-3, 1e-6, 1e-6};
   double highest = 0;
   for (int k = 0; k < 1000; ++k) {
     published.step(0);

@@ -26,8 +26,6 @@ struct sample {
   vector size{0, 0, 0};  // of the box, m
 };
 
-constexpr int edge = 20;  // grains along an edge of the box
-
 /// Six planes around the box; the lid last.
 template <class Drive>
 auto box_of(const vector& size, const Drive& lid) {
@@ -38,9 +36,10 @@ auto box_of(const vector& size, const Drive& lid) {
                          wall{plane{{0, 0, 0}, {0, 0, 1}}}, wall{plane{{0, 0, size.z}, {0, 0, -1}}, lid}};
 }
 
-/// Settled without friction under 300 Pa; takes about a minute.
-inline sample settled() {
-  constexpr double spacing = 1.32e-3, side = 1.02e-3 * edge, top = spacing * 28;
+/// edge^3 grains, settled without friction under 300 Pa; 8000 take about a minute.
+inline sample settled(int edge = 20, int steps = 60000) {
+  constexpr double spacing = 1.32e-3;
+  const double side = 1.02e-3 * edge, top = spacing * 1.4 * edge;
   boost::random::mt19937 random(1);
   boost::random::uniform_real_distribution<double> unit(0, 1);
   pendular::system s{
@@ -56,7 +55,7 @@ inline sample settled() {
     s.add({.position = spacing * vector{x, y, z} + vector{r, r, r} + free * shift, .radius = r, .density = 2700});
   }
   boundary::get<5>(s.walls()).shape.point.z = spacing * (edge * edge * edge / (across * across) + 2);
-  s.run(60000);
+  s.run(steps);
   sample done;
   for (const std::size_t row : s.particles().rows_by_id()) {
     grain g = s.particles()[row];

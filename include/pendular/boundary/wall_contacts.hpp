@@ -172,8 +172,9 @@ class wall_contacts {
     return e;
   }
 
+  // Flattened, because a block passed to a function that is not inlined goes through memory.
   template <class Grains>
-  void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
+  PENDULAR_FLATTEN void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
                       const contact_clock& clock, std::size_t k, lane_findings& found) {
     const quad_block place = gather(g.template rows<grain_row::place>().data(), rows_.data() + k);
     const block& radius = place.d;
@@ -181,7 +182,7 @@ class wall_contacts {
     const block& gap = m.gap;
     gaps_.put(k, gap);
     char& busy = busy_[k / lane_count];
-    const bool touching = carries_bridges || !(gap.minCoeff() >= 0);
+    const bool touching = carries_bridges || any(!(gap >= 0));
     if (!touching && busy == 0) return found.demand_finite(gap);
     busy = touching || !clock.moving ? 1 : 0;  // once more after parting, so that memory and forces are cleared
     const contact_constants<block> made = constants_.load_block(k);
@@ -190,21 +191,24 @@ class wall_contacts {
     memory<block> remembered = memory_.load_block(k);
     contact_force<block> f = touch(material, e, made.damping, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(k, remembered);
-    block pull = block::Zero();
+    block pull = block(0.0);
     if constexpr (carries_bridges) {
       pull = add_bridges(bonds, bond_row(k), e, f);
-      found.event = found.event.max(bonds.event(bond_row(k), gap, gaps_.before(k, gap)));
+      found.event = max(found.event, bonds.event(bond_row(k), gap, gaps_.before(k, gap)));
     }
     const Vec3<block> force = f.traction - block(f.push - pull) * e.normal;
     const Vec3<block> torque = block(e.approaching.radius_i + e.approaching.gap) * cross(e.normal, f.traction);
-    for (int lane = 0; lane < lane_count; ++lane) {
-      const std::size_t row = k + static_cast<std::size_t>(lane);
-      force_[row] = {force.x(lane), force.y(lane), force.z(lane)};
-      torque_[row] = {torque.x(lane), torque.y(lane), torque.z(lane)};
-    }
+    put_rows(force_.data() + k, force);
+    put_rows(torque_.data() + k, torque);
     if constexpr (KeepsBook) work_.add(k, count_, e, f, clock);
-    found.room = found.room.min(gap + clock.overlap_limit * radius);
+    found.room = min(found.room, gap + clock.overlap_limit * radius);
     found.demand_finite(gap + force.x + force.y + force.z);
+  }
+
+  static void put_rows(vector* rows, const Vec3<block>& v) {
+    quad four[lane_count];
+    store(four, {v.x, v.y, v.z, block(0.0)});
+    for (int lane = 0; lane < lane_count; ++lane) rows[lane] = {four[lane].a, four[lane].b, four[lane].c};
   }
 
   std::size_t count_ = 0;

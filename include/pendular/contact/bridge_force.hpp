@@ -12,7 +12,7 @@ namespace pendular {
 namespace detail {
 /// Of grain j or the wall, which is infinite in a contact and finite in a bridge.
 inline block bridge_radius_j(const block& radius_i, const block& radius_j) {
-  return radius_j.min(wall_radius(radius_i));
+  return min(radius_j, wall_radius(radius_i));
 }
 
 /// The bridge resists as a dashpot beside the contact, after the Coulomb limit was taken. The contact itself may be
@@ -34,7 +34,7 @@ void add_viscous(const Bonds& bonds, std::size_t row, const encounter<block>& e,
 /// pull, N.
 template <class Bonds>
 block add_bridges(const Bonds& bonds, std::size_t row, const encounter<block>& e, contact_force<block>& f) {
-  if (!bonds.any_bonded(row)) return block::Zero();
+  if (!bonds.any_bonded(row)) return block(0.0);
   if constexpr (Bonds::is_viscous) detail::add_viscous(bonds, row, e, f);
   return bonds.attraction(row, e.approaching.gap);
 }

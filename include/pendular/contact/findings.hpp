@@ -19,12 +19,12 @@ struct contact_findings {
 
 /// The same lane by lane, so that blocks do not reduce what a whole chunk can reduce at once.
 struct lane_findings {
-  block event = block::Constant(-1);  // positive where a bridge breaks or may form
-  block room = block::Constant(1);    // below 0 where an overlap is beyond the limit
-  block zero = block::Zero();         // no number where a value is not finite
+  block event{-1.0};  // positive where a bridge breaks or may form
+  block room{1.0};    // below 0 where an overlap is beyond the limit
+  block zero{0.0};    // no number where a value is not finite
 
   void demand_finite(const block& values) { zero += 0.0 * values; }
-  contact_findings folded() const { return {event.maxCoeff() > 0, !(room.minCoeff() > 0) || !(zero.sum() == 0)}; }
+  contact_findings folded() const { return {any(event > 0), !all(room > 0 && zero == 0)}; }
 };
 
 }  // namespace pendular

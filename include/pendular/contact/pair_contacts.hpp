@@ -149,11 +149,11 @@ class pair_contacts {
     bool bonded = false;
     if constexpr (wet) {
       bonded = bonds.any_bonded(p);
-      found.event = found.event.max(bonds.event(p, c.gap, gaps_.before(p, c.gap)));
+      found.event = max(found.event, bonds.event(p, c.gap, gaps_.before(p, c.gap)));
     }
     gaps_.put(p, c.gap);
     char& busy = busy_[p / lane_count];
-    const bool touching = !(c.gap.minCoeff() >= 0);  // also if it is no number
+    const bool touching = any(!(c.gap >= 0));  // also if it is no number
     const bool dragging = touching || (Bonds::is_viscous && bonded);
     if (dragging || busy == in_contact) {
       busy = dragging || !clock.moving ? in_contact : bridging;  // once more, so that what contacts remember is cleared
@@ -169,12 +169,12 @@ class pair_contacts {
 
   /// Nobody touches and nobody did in the last step: what is left is the pull of bridges, if any.
   void evaluate_bridges(const closeness& c, const Bonds& bonds, std::size_t p, bool bonded, lane_findings& found) {
-    block pull = block::Zero();
+    block pull = block(0.0);
     if constexpr (wet) {
       if (bonded) pull = bonds.attraction(p, c.gap);
     }
     const Vec3<block> force = pull * c.normal;
-    store_action(p, c.gap, force, {block::Zero(), block::Zero(), block::Zero()});
+    store_action(p, c.gap, force, {block(0.0), block(0.0), block(0.0)});
     found.demand_finite(force.x + force.y + force.z);
   }
 
@@ -185,15 +185,15 @@ class pair_contacts {
     memory<block> remembered = memory_.load_block(p);
     contact_force<block> f = touch(material, e, made.damping, remembered, clock.time_step);
     if (clock.moving) memory_.store_block(p, remembered);
-    block pull = block::Zero();
+    block pull = block(0.0);
     if constexpr (wet) pull = add_bridges(bonds, p, e, f);
     const block push = f.push - pull;
     const Vec3<block> force = f.traction - push * e.normal;
     Vec3<block> torque;
     if constexpr (rotates) torque = cross(e.normal, f.traction);
     store_action(p, gap, force, torque);
-    const block smaller = e.approaching.radius_i.min(e.approaching.radius_j);
-    found.room = found.room.min(gap + clock.overlap_limit * smaller);
+    const block smaller = min(e.approaching.radius_i, e.approaching.radius_j);
+    found.room = min(found.room, gap + clock.overlap_limit * smaller);
     found.demand_finite(gap + force.x + force.y + force.z);
     if constexpr (Material::keeps_energy_book) work_.add(p, list.size(), e, f, clock);
   }

@@ -50,8 +50,8 @@ class work_sums {
   contact_work total() const {
     contact_work work = folded_;
     for (const sums& c : chunks_) {
-      work.damping += c.damping.sum();
-      work.friction += c.friction.sum();
+      work.damping += sum(c.damping);
+      work.friction += sum(c.friction);
     }
     return work;
   }
@@ -68,14 +68,15 @@ class work_sums {
 
  private:
   struct sums {
-    block damping = block::Zero();
-    block friction = block::Zero();
+    block damping{0.0};
+    block friction{0.0};
   };
 
   /// 1 for the lanes that hold one of the rows, 0 for padding.
   static block real_lanes(std::size_t row, std::size_t rows) {
     const double left = static_cast<double>(rows) - static_cast<double>(row);
-    return (left - block::LinSpaced(0, lane_count - 1)).max(0.0).min(1.0);
+    const block number = block::from([](int lane) { return lane; });
+    return select(number < left, block(1.0), block(0.0));
   }
 
   contact_work folded_;

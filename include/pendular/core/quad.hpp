@@ -4,7 +4,7 @@
 #include <pendular/core/lanes.hpp>
 
 #include <cstdint>
-#include <cstring>
+#include <type_traits>
 
 namespace pendular {
 
@@ -25,101 +25,152 @@ struct quad_block {
   block a, b, c, d;
 };
 
-namespace detail {
-// The vector extension of GNU and clang; of which width the machine's registers are is the compiler's business. Passed by
-// reference only, because by value the width decides about the calling convention.
-using four_doubles = double __attribute__((vector_size(32)));
-using eight_doubles = double __attribute__((vector_size(64)));
+namespace simd::inline PENDULAR_REGISTERS {
 
-// As it lies in memory; g++ 12 takes a copy by memcpy through the stack where it is not merged with another.
-using four_doubles_there [[gnu::may_alias]] = four_doubles;
-
+/// Rows that are four doubles, which is not asked.
 template <class Row>
-void read(four_doubles& to, const Row& row) {
-  static_assert(sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad));
-  to = *reinterpret_cast<const four_doubles_there*>(&row);
+concept FourDoubles = std::is_trivially_copyable_v<Row> && sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad);
+
+/// A row as it lies in memory, in one register or two.
+template <FourDoubles Row>
+[[gnu::always_inline]] inline registers<double, 4> read_row(const Row& row) {
+  return read_from<double, 4>(reinterpret_cast<const double*>(&row));
 }
-template <class Row>
-void write(const four_doubles& from, Row& row) {
-  static_assert(sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad));
-  *reinterpret_cast<four_doubles_there*>(&row) = from;
-}
-inline void read(eight_doubles& to, const block& values) { std::memcpy(&to, values.data(), sizeof to); }
-inline void write(const eight_doubles& from, block& values) { std::memcpy(values.data(), &from, sizeof from); }
-template <class Row>
-void read(eight_doubles& to, const Row& low, const Row& high) {
-  static_assert(sizeof(Row) == sizeof(quad) && alignof(Row) == alignof(quad));
-  four_doubles first, second;
-  std::memcpy(&first, &low, sizeof first);
-  std::memcpy(&second, &high, sizeof second);
-  to = __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-inline void write(const eight_doubles& from, quad& low, quad& high) {
-  const four_doubles first = __builtin_shufflevector(from, from, 0, 1, 2, 3);
-  const four_doubles second = __builtin_shufflevector(from, from, 4, 5, 6, 7);
-  std::memcpy(&low, &first, sizeof first);
-  std::memcpy(&high, &second, sizeof second);
+[[gnu::always_inline]] inline void write_row(quad& row, const registers<double, 4>& r) {
+  write_to(reinterpret_cast<double*>(&row), r);
 }
 
-/// Each half of the four is a matrix of four by four; both are transposed.
-inline void transpose(eight_doubles& a, eight_doubles& b, eight_doubles& c, eight_doubles& d) {
-  const eight_doubles ab_even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
-  const eight_doubles ab_odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-  const eight_doubles cd_even = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
-  const eight_doubles cd_odd = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 8, 9, 4, 5, 12, 13);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 8, 9, 4, 5, 12, 13);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 10, 11, 6, 7, 14, 15);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 10, 11, 6, 7, 14, 15);
+/// Four registers as the rows of a matrix, which becomes its transpose; where a register holds two such rows, of both.
+template <class V>
+[[gnu::always_inline]] inline void transpose(V& a, V& b, V& c, V& d) {
+  if constexpr (sizeof(V) == 64) {
+    const V ab_even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    const V ab_odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const V cd_even = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+    const V cd_odd = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 8, 9, 4, 5, 12, 13);
+    b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 8, 9, 4, 5, 12, 13);
+    c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 10, 11, 6, 7, 14, 15);
+    d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 10, 11, 6, 7, 14, 15);
+  } else {
+    const V ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const V cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+    b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+    c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+    d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+  }
 }
-}  // namespace detail
 
-/// The rows of a block of indices as lanes: eight loads and eight shuffles instead of a load and an insertion for each
+/// The same of rows that need two registers each.
+template <class Four>
+[[gnu::always_inline]] inline void transpose_halves(Four& a, Four& b, Four& c, Four& d) {
+  if constexpr (is_one_register<double, 4>) {
+    transpose(a.value, b.value, c.value, d.value);
+  } else {
+    const auto first = [](const auto& x, const auto& y) { return __builtin_shufflevector(x, y, 0, 2); };
+    const auto second = [](const auto& x, const auto& y) { return __builtin_shufflevector(x, y, 1, 3); };
+    const Four x{{first(a.low.value, b.low.value)}, {first(c.low.value, d.low.value)}};
+    const Four y{{second(a.low.value, b.low.value)}, {second(c.low.value, d.low.value)}};
+    const Four z{{first(a.high.value, b.high.value)}, {first(c.high.value, d.high.value)}};
+    d = {{second(a.high.value, b.high.value)}, {second(c.high.value, d.high.value)}};
+    a = x, b = y, c = z;
+  }
+}
+
+/// Two rows of four in one line.
+template <class Four>
+[[gnu::always_inline]] inline registers<double, 8> joined(const Four& low, const Four& high) {
+  if constexpr (is_one_register<double, 8>) {
+    return {__builtin_shufflevector(low.value, high.value, 0, 1, 2, 3, 4, 5, 6, 7)};
+  } else {
+    return {low, high};
+  }
+}
+template <class Eight>
+[[gnu::always_inline]] inline registers<double, 4> low_half(const Eight& r) {
+  if constexpr (is_one_register<double, 8>) {
+    return {__builtin_shufflevector(r.value, r.value, 0, 1, 2, 3)};
+  } else {
+    return r.low;
+  }
+}
+template <class Eight>
+[[gnu::always_inline]] inline registers<double, 4> high_half(const Eight& r) {
+  if constexpr (is_one_register<double, 8>) {
+    return {__builtin_shufflevector(r.value, r.value, 4, 5, 6, 7)};
+  } else {
+    return r.high;
+  }
+}
+
+/// Both halves of the four are matrices of four by four.
+template <class Eight>
+[[gnu::always_inline]] inline void transpose_both(Eight& a, Eight& b, Eight& c, Eight& d) {
+  if constexpr (is_one_register<double, 8>) {
+    transpose(a.value, b.value, c.value, d.value);
+  } else {
+    transpose_halves(a.low, b.low, c.low, d.low);
+    transpose_halves(a.high, b.high, c.high, d.high);
+  }
+}
+
+/// The first three numbers of one row and the fourth of another. In the register: a number written on its own would make
+/// the next reader of the row wait.
+template <class Four>
+[[gnu::always_inline]] inline Four three_and_fourth(const Four& three, const Four& fourth) {
+  if constexpr (is_one_register<double, 4>) {
+    return {__builtin_shufflevector(three.value, fourth.value, 0, 1, 2, 7)};
+  } else {
+    return {three.low, {__builtin_shufflevector(three.high.value, fourth.high.value, 0, 3)}};
+  }
+}
+
+}  // namespace simd
+
+/// One row as a value.
+using four = lanes<4>;
+template <class Row>
+four load_row(const Row& row) {
+  return four(simd::read_row(row));
+}
+template <simd::FourDoubles Row>
+void store_row(Row& row, const four& values) {
+  values.store(reinterpret_cast<double*>(&row));
+}
+
+/// The rows of a block of indices as lanes: eight loads and a few shuffles instead of a load and an insertion for each
 /// of the 32 numbers. A row is a quad or any other four numbers.
 template <class Row>
 quad_block gather(const Row* column, const std::int32_t* rows) {
-  detail::eight_doubles a, b, c, d;
-  detail::read(a, column[rows[0]], column[rows[4]]);
-  detail::read(b, column[rows[1]], column[rows[5]]);
-  detail::read(c, column[rows[2]], column[rows[6]]);
-  detail::read(d, column[rows[3]], column[rows[7]]);
-  detail::transpose(a, b, c, d);
-  quad_block result;
-  detail::write(a, result.a);
-  detail::write(b, result.b);
-  detail::write(c, result.c);
-  detail::write(d, result.d);
-  return result;
+  using namespace simd;
+  const auto two = [&](int k) { return joined(read_row(column[rows[k]]), read_row(column[rows[k + 4]])); };
+  registers<double, 8> a = two(0), b = two(1), c = two(2), d = two(3);
+  transpose_both(a, b, c, d);
+  return {block(a), block(b), block(c), block(d)};
 }
 
-/// The opposite: lanes become eight rows that follow each other.
+namespace simd::inline PENDULAR_REGISTERS {
+/// The opposite: lanes become eight rows, of which row(k) is number k.
+template <class Row>
+[[gnu::always_inline]] inline void scatter(const quad_block& values, const Row& row) {
+  registers<double, 8> a = values.a.parts, b = values.b.parts, c = values.c.parts, d = values.d.parts;
+  transpose_both(a, b, c, d);
+  const auto write_two = [&](int k, const registers<double, 8>& two) {
+    write_row(row(k), low_half(two));
+    write_row(row(k + 4), high_half(two));
+  };
+  write_two(0, a), write_two(1, b), write_two(2, c), write_two(3, d);
+}
+}  // namespace simd
+
+/// Lanes become eight rows that follow each other.
 inline void store(quad* rows, const quad_block& values) {
-  detail::eight_doubles a, b, c, d;
-  detail::read(a, values.a);
-  detail::read(b, values.b);
-  detail::read(c, values.c);
-  detail::read(d, values.d);
-  detail::transpose(a, b, c, d);
-  detail::write(a, rows[0], rows[4]);
-  detail::write(b, rows[1], rows[5]);
-  detail::write(c, rows[2], rows[6]);
-  detail::write(d, rows[3], rows[7]);
-}
-
-/// The same for one half of rows of eight.
-template <quad octet::*Half>
-void store(octet* rows, const quad_block& values) {
-  detail::eight_doubles a, b, c, d;
-  detail::read(a, values.a), detail::read(b, values.b), detail::read(c, values.c), detail::read(d, values.d);
-  detail::transpose(a, b, c, d);
-  detail::write(a, rows[0].*Half, rows[4].*Half);
-  detail::write(b, rows[1].*Half, rows[5].*Half);
-  detail::write(c, rows[2].*Half, rows[6].*Half);
-  detail::write(d, rows[3].*Half, rows[7].*Half);
+  simd::scatter(values, [&](int k) -> quad& { return rows[k]; });
 }
 inline void store(octet* rows, const quad_block& low, const quad_block& high) {
-  store<&octet::low>(rows, low);
-  store<&octet::high>(rows, high);
+  simd::scatter(low, [&](int k) -> quad& { return rows[k].low; });
+  simd::scatter(high, [&](int k) -> quad& { return rows[k].high; });
 }
 
 }  // namespace pendular

@@ -7,8 +7,7 @@
 
 namespace pendular {
 
-/// A number a law can be written in: double, float, a fixed Eigen array (lanes), an AutoDiffScalar, a multiprecision
-/// float. Needs + - * / and construction from double; the functions below supply the rest.
+/// A number a law can be written in: double, float, lanes of them, an AutoDiffScalar, a multiprecision float. Needs + - * / and construction from double; the functions below supply the rest.
 template <class T>
 concept Scalar = std::copy_constructible<T> && std::constructible_from<T, double> && requires(const T a, const T b) {
   T(a + b);
@@ -19,20 +18,18 @@ concept Scalar = std::copy_constructible<T> && std::constructible_from<T, double
 };
 
 namespace detail {
-// An array inherits the name of its base. That is all there is to ask, so that a law's header comes without Eigen.
+/// Several numbers side by side, which have an answer each to a comparison (core/lanes.hpp).
 template <class T>
-concept EigenArray = requires {
-  typename std::remove_cvref_t<T>::ArrayBase;
-};
+concept Lanes = requires { typename std::remove_cvref_t<T>::lane_element; };
 
 /// The element type behind lanes; the type itself for every other scalar.
 template <class T>
 struct element {
   using type = T;
 };
-template <EigenArray T>
+template <Lanes T>
 struct element<T> {
-  using type = typename T::Scalar;
+  using type = typename T::lane_element;
 };
 }  // namespace detail
 
@@ -89,7 +86,7 @@ struct pow_fn {
   template <class T, class P>
   auto operator()(const T& x, const P& exponent) const {
     using std::pow;
-    if constexpr (std::is_arithmetic_v<P> && (std::is_floating_point_v<T> || EigenArray<T>)) {
+    if constexpr (std::is_arithmetic_v<P> && (std::is_floating_point_v<T> || Lanes<T>)) {
       return pow(x, static_cast<element_t<T>>(exponent));
     } else {
       return pow(x, exponent);
@@ -100,9 +97,7 @@ struct cbrt_fn {
   template <class T>
   auto operator()(const T& x) const {
     using std::cbrt;
-    if constexpr (EigenArray<T>) {
-      return x.unaryExpr([](const element_t<T> v) { return std::cbrt(v); });
-    } else if constexpr (requires { cbrt(x); }) {
+    if constexpr (requires { cbrt(x); }) {
       return cbrt(x);
     } else {
       using std::pow;
@@ -110,46 +105,46 @@ struct cbrt_fn {
     }
   }
 };
+/// The larger of the two, a where one is no number.
 struct max_fn {
   template <class T>
-  auto operator()(const T& a, const T& b) const {
-    if constexpr (EigenArray<T>) {
-      return a.max(b);
+  T operator()(const T& a, const T& b) const {
+    if constexpr (Lanes<T>) {
+      return max(a, b);
     } else {
-      return T(a < b ? b : a);
+      return a < b ? b : a;
     }
   }
 };
 struct min_fn {
   template <class T>
-  auto operator()(const T& a, const T& b) const {
-    if constexpr (EigenArray<T>) {
-      return a.min(b);
+  T operator()(const T& a, const T& b) const {
+    if constexpr (Lanes<T>) {
+      return min(a, b);
     } else {
-      return T(b < a ? b : a);
+      return b < a ? b : a;
     }
   }
 };
-/// 1 where x > 0, else 0. Lanes multiply instead of comparing, because Eigen 3.4 does not vectorise comparisons; a
-/// positive x below 1e-300 (1e-30 in float) then counts as a fraction of 1.
+/// a where the condition holds, else b; both are evaluated. The condition is a comparison, or a number that is asked
+/// whether it is positive.
+struct select_fn {
+  template <class Condition, class T>
+  T operator()(const Condition& condition, const T& a, const T& b) const {
+    if constexpr (std::is_same_v<Condition, T>) {
+      return (*this)(condition > T(0), a, b);
+    } else if constexpr (Lanes<T> && !std::is_same_v<Condition, bool>) {
+      return select(condition, a, b);
+    } else {
+      return condition ? a : b;
+    }
+  }
+};
+/// 1 where x > 0, else 0.
 struct unit_step_fn {
   template <class T>
   T operator()(const T& x) const {
-    if constexpr (EigenArray<T>) {
-      using element = element_t<T>;
-      constexpr element steep = sizeof(element) >= 8 ? element(1e300) : element(1e30f);
-      return (x * steep).max(element(0)).min(element(1));
-    } else {
-      return x > T(0) ? T(1) : T(0);
-    }
-  }
-};
-/// a where the condition is positive, else b; both are evaluated and must be finite.
-struct select_fn {
-  template <class T>
-  T operator()(const T& condition, const T& a, const T& b) const {
-    const T one_or_zero = unit_step_fn{}(condition);
-    return one_or_zero * a + (T(1) - one_or_zero) * b;
+    return select_fn{}(x > T(0), T(1), T(0));
   }
 };
 }  // namespace detail

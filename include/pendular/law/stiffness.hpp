@@ -41,12 +41,10 @@ T stiffness(const Law& law, const approach<T>& a) {
     return static_cast<T>(
         stiffness(law, approach<double>{a.gap, a.closing_speed, a.reduced_mass, a.radius_i, a.radius_j}));
   } else {
-    T result = a.gap;
-    for (Eigen::Index k = 0; k < result.size(); ++k) {
-      const approach<double> one{a.gap(k), a.closing_speed(k), a.reduced_mass(k), a.radius_i(k), a.radius_j(k)};
-      result(k) = static_cast<element_t<T>>(stiffness(law, one));
-    }
-    return result;
+    return T::from([&](int k) {
+      const approach<double> one{a.gap[k], a.closing_speed[k], a.reduced_mass[k], a.radius_i[k], a.radius_j[k]};
+      return stiffness(law, one);
+    });
   }
 }
 

@@ -31,7 +31,7 @@ class bonds {
   static constexpr bool knows_planes = validity_of<typename Liquid::capillary_law>().planes &&
                                        validity_of<typename Liquid::rupture_law>().planes &&
                                        (!is_viscous || validity_of<typename Liquid::viscous_law>().planes);
-  static constexpr double never = -1e300;  // a gap no pair reaches; finite, because lanes multiply by zero
+  static constexpr double never = -1e300;  // a gap no pair reaches
 
   explicit bonds(const Liquid& liquid)
       : liquid_(liquid), idle_(prepare(liquid_.law(), bridge<double>{0, 1e-3, 1, 1}, liquid_.substance())) {}
@@ -77,33 +77,32 @@ class bonds {
   /// Pull of a block of pairs, N, zero for pairs without a bridge and beyond rupture.
   block attraction(std::size_t first_pair, const block& gap) const {
     const block ceiling = load(breaks_above_.data() + first_pair);
-    const block alive = unit_step(block(ceiling - gap));
-    // A lane without a bridge is evaluated too, at gap 0 of a bridge of size 1, and multiplied by zero.
-    const block asked = gap.min(ceiling.max(0.0));
+    // A lane without a bridge is evaluated too, at gap 0 of a bridge of size 1.
+    const block asked = min(gap, max(ceiling, block(0.0)));
     const block pull =
         pendular::attraction(liquid_.law(), asked, coefficients_.load_block(first_pair), liquid_.substance());
-    return pull * alive;
+    return pendular::select(gap < ceiling, pull, block(0.0));
   }
 
   /// Resistance of a block of bridges, N s/m, zero for pairs without one and beyond rupture.
   bridge_resistance<block> resistance(std::size_t first_pair, const block& gap, const block& radius_i,
                                       const block& radius_j) const requires(Liquid::is_viscous) {
-    const block alive = unit_step(block(load(breaks_above_.data() + first_pair) - gap));
+    const auto alive = gap < load(breaks_above_.data() + first_pair);
     const block volume = load(ledger_.bonds().data() + first_pair);
     const auto r = liquid_.viscous().resistance(bridge<block>{gap, volume, radius_i, radius_j}, liquid_.substance());
-    return {block(r.normal * alive), block(r.tangential * alive)};
+    return {pendular::select(alive, r.normal, block(0.0)), pendular::select(alive, r.tangential, block(0.0))};
   }
 
-  bool any_bonded(std::size_t first_pair) const { return (load(breaks_above_.data() + first_pair) > 0).any(); }
+  bool any_bonded(std::size_t first_pair) const { return any(load(breaks_above_.data() + first_pair) > 0); }
 
   /// Positive where a pair of the block breaks or may form; `before` is the gap one step ago.
   block event(std::size_t first_pair, const block& gap, const block& before) const {
     const block ceiling = load(breaks_above_.data() + first_pair);
     const block floor = load(forms_below_.data() + first_pair);
-    const block breaking = (gap - ceiling) * unit_step(ceiling);
+    const block breaking = pendular::select(ceiling > 0, gap - ceiling, block(0.0));
     block forming = floor - gap;
-    if constexpr (forms_on_closing) forming *= 1.0 - unit_step(block(floor - before));
-    return breaking.max(forming);
+    if constexpr (forms_on_closing) forming = pendular::select(before < floor, block(0.0), forming);
+    return max(breaking, forming);
   }
 
   bool breaks(std::size_t p, double gap) const { return is_bonded(p) && gap > breaks_above_[p]; }

@@ -49,22 +49,20 @@ class grain_motion {
   [[gnu::always_inline]] bool predict(std::size_t k) const {
     move_.predict(place_[k], motion_[k], force_[k]);
     if constexpr (Grains::rotate) move_.predict(spin_[k], torque_[k]);
-    four_doubles now, listed;
-    read(now, place_[k]), read(listed, listed_at_[k]);
-    const four_doubles d = now - listed, square = d * d;  // the radii take each other away
+    const four d = load_row(place_[k]) - load_row(listed_at_[k]), square = d * d;  // the radii take each other away
     return !((square[0] + square[1]) + (square[2] + square[3]) < allowed_);
   }
 
   /// Second half, from the sum of all that acts on the grain. `moving` is false at the start, when forces are only
   /// stored.
   [[gnu::always_inline]] void correct(std::size_t k, const action_row<Grains::rotate>& sum, bool moving) const {
-    const grain_row::force before = force_[k];
-    put(force_[k], push_of(sum));
-    if (moving) move_.correct(motion_[k], before, force_[k]);
+    const four before = load_row(force_[k]), now = load_row(push_of(sum));
+    put(force_[k], now);
+    if (moving) move_.correct(motion_[k], before, now);
     if constexpr (Grains::rotate) {
-      const grain_row::torque old = torque_[k];
-      put(torque_[k], sum.high);
-      if (moving) move_.correct(spin_[k], old, torque_[k]);
+      const four old = load_row(torque_[k]), turn = load_row(sum.high);
+      put(torque_[k], turn);
+      if (moving) move_.correct(spin_[k], torque_[k].inverse_inertia, old, turn);
       if constexpr (Grains::count_contacts) put_fourth(spin_[k], sum.low);
     }
   }

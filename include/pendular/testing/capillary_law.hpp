@@ -8,8 +8,6 @@
 #include <pendular/testing/samples.hpp>
 #include <pendular/testing/scalars.hpp>
 
-#include <Eigen/Core>
-
 #include <cmath>
 
 namespace pendular::testing {
@@ -121,9 +119,9 @@ report capillary_law_report(const Law& law, const fluid& f) {
     detail::demand_one_pull(broken, law, b, f);
     if constexpr (HasCapillaryEnergy<Law>) detail::demand_work(broken, law, b, f);
   }
-  using lanes_of_float = Eigen::Array<float, 16, 1>;
+  using lanes_of_float = lanes<16, float>;
   detail::demand_capillary_in<float>(broken, law, f, "the attraction must be the same in float");
-  detail::demand_capillary_in<Eigen::Array<double, 8, 1>>(broken, law, f,
+  detail::demand_capillary_in<lanes<8>>(broken, law, f,
                                                           "the attraction must be the same in lanes of double");
   detail::demand_capillary_in<lanes_of_float>(broken, law, f, "the attraction must be the same in lanes of float");
   detail::demand_capillary_in<dual>(broken, law, f, "the attraction must be the same under automatic differentiation");

@@ -6,8 +6,6 @@
 #include <pendular/testing/samples.hpp>
 #include <pendular/testing/scalars.hpp>
 
-#include <Eigen/Core>
-
 namespace pendular::testing {
 
 namespace detail {
@@ -67,9 +65,9 @@ report damping_law_report(const Law& law) {
     }
   }
   detail::demand_damping_in<float>(broken, law, "the resistance must be the same in float");
-  detail::demand_damping_in<Eigen::Array<double, 8, 1>>(broken, law,
+  detail::demand_damping_in<lanes<8>>(broken, law,
                                                         "the resistance must be the same in lanes of double");
-  detail::demand_damping_in<Eigen::Array<float, 16, 1>>(broken, law,
+  detail::demand_damping_in<lanes<16, float>>(broken, law,
                                                         "the resistance must be the same in lanes of float");
   detail::demand_damping_in<dual>(broken, law, "the resistance must be the same under automatic differentiation");
   return broken;

@@ -6,8 +6,6 @@
 #include <pendular/testing/samples.hpp>
 #include <pendular/testing/scalars.hpp>
 
-#include <Eigen/Core>
-
 #include <vector>
 
 namespace pendular::testing {
@@ -108,9 +106,9 @@ report friction_law_report(const Law& law, double friction_coefficient) {
     detail::demand_cone_for_any_history(broken, law, friction_coefficient, time_step);
   }
   detail::demand_friction_in<float>(broken, law, "the traction must be the same in float");
-  detail::demand_friction_in<Eigen::Array<double, 8, 1>>(broken, law,
+  detail::demand_friction_in<lanes<8>>(broken, law,
                                                          "the traction must be the same in lanes of double");
-  detail::demand_friction_in<Eigen::Array<float, 16, 1>>(broken, law,
+  detail::demand_friction_in<lanes<16, float>>(broken, law,
                                                          "the traction must be the same in lanes of float");
   detail::demand_friction_in<dual>(broken, law, "the traction must be the same under automatic differentiation");
   return broken;

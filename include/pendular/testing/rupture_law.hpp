@@ -6,8 +6,6 @@
 #include <pendular/testing/samples.hpp>
 #include <pendular/testing/scalars.hpp>
 
-#include <Eigen/Core>
-
 namespace pendular::testing {
 
 namespace detail {
@@ -63,9 +61,9 @@ report rupture_law_report(const Law& law, const fluid& f) {
     detail::demand_distance(broken, law, b, f);
     detail::demand_rupture_invariance(broken, law, b, f);
   }
-  using lanes_of_float = Eigen::Array<float, 16, 1>;
+  using lanes_of_float = lanes<16, float>;
   detail::demand_rupture_in<float>(broken, law, f, "the rupture distance must be the same in float");
-  detail::demand_rupture_in<Eigen::Array<double, 8, 1>>(broken, law, f,
+  detail::demand_rupture_in<lanes<8>>(broken, law, f,
                                                         "the rupture distance must be the same in lanes of double");
   detail::demand_rupture_in<lanes_of_float>(broken, law, f, "the rupture distance must be the same in lanes of float");
   detail::demand_rupture_in<dual>(broken, law, f,

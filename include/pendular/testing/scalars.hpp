@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/lanes.hpp>
 #include <pendular/law/inputs.hpp>
 #include <pendular/law/stiffness.hpp>
 #include <pendular/testing/report.hpp>
@@ -16,18 +17,14 @@ namespace pendular::testing {
 /// How many samples one T carries.
 template <class T>
 inline constexpr std::size_t width = 1;
-template <pendular::detail::EigenArray T>
-inline constexpr std::size_t width<T> = static_cast<std::size_t>(T::SizeAtCompileTime);
+template <pendular::detail::Lanes T>
+inline constexpr std::size_t width<T> = static_cast<std::size_t>(T::width);
 
 /// One T from as many samples as it has lanes, `field(first)` onwards.
 template <class T, class Field>
 T gathered(std::size_t first, const Field& field) {
-  if constexpr (pendular::detail::EigenArray<T>) {
-    T result;
-    for (std::size_t k = 0; k < width<T>; ++k) {
-      result(static_cast<Eigen::Index>(k)) = static_cast<element_t<T>>(field(first + k));
-    }
-    return result;
+  if constexpr (pendular::detail::Lanes<T>) {
+    return T::from([&](int k) { return field(first + static_cast<std::size_t>(k)); });
   } else {
     return T(field(first));
   }
@@ -35,8 +32,8 @@ T gathered(std::size_t first, const Field& field) {
 
 template <class T>
 double number(const T& x, std::size_t lane = 0) {
-  if constexpr (pendular::detail::EigenArray<T>) {
-    return static_cast<double>(x(static_cast<Eigen::Index>(lane)));
+  if constexpr (pendular::detail::Lanes<T>) {
+    return static_cast<double>(x[static_cast<int>(lane)]);
   } else if constexpr (std::is_same_v<T, dual>) {
     return x.value();
   } else {
@@ -78,11 +75,11 @@ slip<T> gathered(const std::vector<slip<double>>& samples, std::size_t first) {
           samples.front().time_step};
 }
 
-/// What a law without history remembers: zeros. Eigen leaves a value-initialised array or AutoDiffScalar as it is.
+/// What a law without history remembers: zeros. Eigen leaves a value-initialised AutoDiffScalar as it is.
 template <class Memory, class T>
 Memory fresh_memory() {
   Memory memory{};
-  if constexpr (pendular::detail::EigenArray<T> || std::is_same_v<T, dual>) {
+  if constexpr (std::is_same_v<T, dual>) {
     std::memset(static_cast<void*>(&memory), 0, sizeof memory);
   }
   return memory;

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same packing under this library, LAMMPS and YADE, in turns, each on one core: time per grain and step as a table
-// and over the number of grains as a plot.
+// The same packing under this library, in three builds, LAMMPS, LIGGGHTS and YADE, in turns, each on one core: time per
+// grain and step as a table and over the number of grains as a plot.
+#include "builds.hpp"
 #include "lammps.hpp"
-#include "ours.hpp"
+#include "liggghts.hpp"
 #include "report.hpp"
 #include "time_over_size.hpp"
 #include "yade.hpp"
 
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 using namespace peers;
 
 namespace {
+
+measurement liggghts_wet(const task& t, double skin) { return liggghts::run(t, skin, true); }
+measurement liggghts_dry(const task& t, double skin) { return liggghts::run(t, skin, false); }
 
 struct size_of_run {
   std::size_t grains;
@@ -30,7 +31,7 @@ constexpr std::size_t size_of_table = 8000;  // grains
 
 /// Those of the neighbour lists of the peers that are installed, m.
 struct best_skins {
-  std::optional<double> lammps, yade;
+  std::optional<double> lammps, yade, liggghts_wet, liggghts_dry;
 };
 
 /// The one with which a peer is fastest in the very steps that are measured.
@@ -57,14 +58,21 @@ bool is_there(const char* name, const char* program) {
 /// Neighbours in the list are compared with each other.
 std::vector<contender> contenders(const task& t, const best_skins& skins, bool all_scenes) {
   std::vector<contender> all;
-  all.push_back({"pendular", "dry", [&t] { return ours(t, scenes::dry); }});
-  if (skins.lammps) all.push_back({"LAMMPS", "dry", [&t, skin = *skins.lammps] { return lammps::dry(t, skin); }});
-  all.push_back({"pendular", "wet", [&t] { return ours(t, scenes::wet); }});
-  if (skins.yade) all.push_back({"YADE", "wet", [&t, skin = *skins.yade] { return yade::wet(t, skin); }});
-  if (all_scenes) {
-    all.push_back({"pendular", "wet, YADE's laws", [&t] { return ours(t, scenes::wet_willett); }});
-    all.push_back({"pendular", "smooth", [&t] { return ours(t, scenes::smooth); }});
-  }
+  const auto add_ours = [&](const char* scene, const char* name) {
+    for (const builds::build& b : builds::all) {
+      if (builds::runs_here(b)) all.push_back({b.name, name, [&t, b, scene] { return builds::run(b, t, scene); }});
+    }
+  };
+  const auto add = [&](const char* code, const char* scene, std::optional<double> skin, auto run) {
+    if (skin) all.push_back({code, scene, [&t, run, s = *skin] { return run(t, s); }});
+  };
+  add_ours("dry", "dry");
+  add("LAMMPS", "dry", skins.lammps, lammps::dry);
+  add("LIGGGHTS", "dry", skins.liggghts_dry, liggghts_dry);
+  add_ours("wet", "wet");
+  add("LIGGGHTS", "wet", skins.liggghts_wet, liggghts_wet);
+  add("YADE", "wet", skins.yade, yade::wet);
+  if (all_scenes) add_ours("wet_willett", "wet, YADE's laws"), add_ours("smooth", "smooth");
   return all;
 }
 
@@ -75,31 +83,37 @@ const contender* found(const std::vector<contender>& all, const std::string& cod
   return nullptr;
 }
 
+/// Every peer over every build in the same scene, and the builds over the fastest.
 std::string ratios(const std::vector<contender>& all) {
-  const auto* wet = found(all, "pendular", "wet");
-  const auto* lammps = found(all, "LAMMPS", "dry");
-  const auto* yade = found(all, "YADE", "wet");
-  if (!lammps && !yade) return "";
   std::string text = "| time over time | median of the rounds | smallest to largest |\n|---|---|---|\n";
-  if (yade) text += report::ratio_row(*yade, *wet);
-  const auto* same_laws = found(all, "pendular", "wet, YADE's laws");
-  if (yade && same_laws) text += report::ratio_row(*yade, *same_laws);
-  if (lammps) text += report::ratio_row(*lammps, *found(all, "pendular", "dry"));
-  if (lammps) text += report::ratio_row(*wet, *lammps);
+  for (const contender& c : all) {
+    const bool ours = c.code.starts_with("pendular");
+    for (const builds::build& b : builds::all) {
+      const auto* other = found(all, b.name, c.scene);
+      if (!other || other == &c || (ours && &b != &builds::all[std::size(builds::all) - 1])) continue;
+      text += report::ratio_row(c, *other);
+    }
+  }
   return text;
 }
 
 void compare(const std::filesystem::path& folder, const std::string& page) {
   const bool with_lammps = is_there("LAMMPS", lammps::program), with_yade = is_there("YADE", yade::program);
+  const bool with_liggghts = is_there("LIGGGHTS", liggghts::program);
   const auto block = packing::block("packing_8000.bin");
   best_skins skins;
   time_over_size plot;
   for (const size_of_run& size : sizes) {
     const task t = task_of(packing::of_size(block, size.grains), size.warmup, size.steps);
     std::printf("%zu grains\n", size.grains);
-    const auto with = [&t](auto run) { return [&t, run](double skin) { return run(t, skin); }; };
-    if (with_lammps && size.tries > 0) skins.lammps = best_skin("LAMMPS", lammps::skins, size.tries, with(lammps::dry));
-    if (with_yade && size.tries > 0) skins.yade = best_skin("YADE", yade::skins, size.tries, with(yade::wet));
+    const auto try_skins = [&](const char* name, bool there, const auto& some, auto run, std::optional<double>& best) {
+      if (!there || size.tries == 0) return;
+      best = best_skin(name, some, size.tries, [&](double skin) { return run(t, skin); });
+    };
+    try_skins("LAMMPS", with_lammps, lammps::skins, lammps::dry, skins.lammps);
+    try_skins("LIGGGHTS, dry", with_liggghts, liggghts::skins, liggghts_dry, skins.liggghts_dry);
+    try_skins("LIGGGHTS, wet", with_liggghts, liggghts::skins, liggghts_wet, skins.liggghts_wet);
+    try_skins("YADE", with_yade, yade::skins, yade::wet, skins.yade);
     auto all = contenders(t, skins, size.grains == size_of_table);
     run_in_turns(all, size.rounds);
     plot.add(t.grains(), all);
@@ -114,9 +128,6 @@ void compare(const std::filesystem::path& folder, const std::string& page) {
 }  // namespace
 
 int main(int count, char** arguments) {
-#ifdef _OPENMP
-  omp_set_num_threads(1);
-#endif
   try {
     const std::filesystem::path folder = count > 1 ? arguments[1] : "peers";
     compare(folder, count > 2 ? arguments[2] : "");

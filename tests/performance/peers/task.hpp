@@ -20,23 +20,25 @@ namespace peers {
 struct task {
   packing::sample sample;
   int warmup, steps;
-  std::filesystem::path data;  // the packing as a LAMMPS data file
+  std::filesystem::path data, inflated;  // the packing as a data file, and with diameters larger by the reach
   double rate;                 // of the dashpot, over the reduced mass, 1/s
   double reach;                // gap below which there are as many pairs as we have bridges, m
   double volume;               // of a mean bridge, m3
+  double bridges;              // per grain
 
   double grains() const { return static_cast<double>(sample.grains.size()); }
 };
 
-inline void write_data(const packing::sample& s, const std::filesystem::path& file) {
+/// A data file of LAMMPS, which LIGGGHTS and YADE read, too.
+inline void write_data(const packing::sample& s, const std::filesystem::path& file, double inflated = 0) {
   using pendular::io::shortest;
   std::string text = "packing\n\n" + std::to_string(s.grains.size()) + " atoms\n1 atom types\n";
   text += "0 " + shortest(s.size.x) + " xlo xhi\n0 " + shortest(s.size.y) + " ylo yhi\n";
-  text += "0 " + shortest(s.size.z) + " zlo zhi\n\nAtoms # sphere\n\n";
+  text += "0 " + shortest(s.size.z) + " zlo zhi\n\nAtoms\n\n";
   for (std::size_t k = 0; k < s.grains.size(); ++k) {
     const pendular::grain& g = s.grains[k];
     text += std::to_string(k + 1) + " 1";
-    for (const double v : {2 * g.radius, g.density, g.position.x, g.position.y, g.position.z})
+    for (const double v : {2 * g.radius + inflated, g.density, g.position.x, g.position.y, g.position.z})
       text += " " + shortest(v);
     text += "\n";
   }
@@ -68,14 +70,12 @@ double reach_of_bridges(const System& s) {
 inline task task_of(const packing::sample& sample, int warmup, int steps) {
   const auto ours = scenes::wet(sample);
   const std::filesystem::path data = "packing_" + std::to_string(sample.grains.size()) + ".data";
+  const std::filesystem::path inflated = "packing_" + std::to_string(sample.grains.size()) + "_inflated.data";
+  const double reach = reach_of_bridges(ours), bridges = static_cast<double>(ours.bridges().count());
   write_data(sample, data);
-  return {sample,
-          warmup,
-          steps,
-          data,
-          dashpot_rate(sample),
-          reach_of_bridges(ours),
-          ours.bridges().book().introduced() / static_cast<double>(ours.bridges().count())};
+  write_data(sample, inflated, reach);
+  return {sample, warmup, steps, data, inflated, dashpot_rate(sample), reach,
+          ours.bridges().book().introduced() / bridges, bridges / static_cast<double>(sample.grains.size())};
 }
 
 }  // namespace peers

@@ -25,26 +25,11 @@ inline void add(action& sum, const four& force, const four& torque) {
   whole(sum.torque) += torque;
 }
 
-/// One half of eight rows that follow each other.
-template <quad action::*Half>
-void store(action* rows, const quad_block& values) {
-  pendular::detail::eight_doubles a, b, c, d;
-  pendular::detail::read(a, values.a);
-  pendular::detail::read(b, values.b);
-  pendular::detail::read(c, values.c);
-  pendular::detail::read(d, values.d);
-  pendular::detail::transpose(a, b, c, d);
-  pendular::detail::write(a, rows[0].*Half, rows[4].*Half);
-  pendular::detail::write(b, rows[1].*Half, rows[5].*Half);
-  pendular::detail::write(c, rows[2].*Half, rows[6].*Half);
-  pendular::detail::write(d, rows[3].*Half, rows[7].*Half);
-}
-
 /// A wall acts on the grains of a block.
 inline void add_wall(std::vector<action>& sums, const wall_rows& wall, std::size_t r, const action_block& acts) {
   const block lever = acts.radius_i + acts.gap;
   quad force[pendular::lane_count], turn[pendular::lane_count];
-  pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(block::Zero())});
+  pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(0.0)});
   pendular::store(turn, {lever * acts.turn.x, lever * acts.turn.y, lever * acts.turn.z, acts.touching});
   const std::size_t real = std::min<std::size_t>(pendular::lane_count, wall.count - r);
   for (std::size_t lane = 0; lane < real; ++lane)
@@ -61,7 +46,7 @@ class straight_actions {
     const block lever_i = acts.radius_i + 0.5 * acts.gap, lever_j = acts.radius_j + 0.5 * acts.gap;
     const lanes3 on_i = lever_i * acts.turn, on_j = lever_j * acts.turn;
     quad force[pendular::lane_count], first[pendular::lane_count], second[pendular::lane_count];
-    pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(block::Zero())});
+    pendular::store(force, {acts.force.x, acts.force.y, acts.force.z, block(0.0)});
     pendular::store(first, {on_i.x, on_i.y, on_i.z, acts.touching});
     pendular::store(second, {on_j.x, on_j.y, on_j.z, acts.touching});
     const std::size_t real = std::min<std::size_t>(pendular::lane_count, pairs.count - p);
@@ -73,7 +58,7 @@ class straight_actions {
   }
   void put_force(const pair_rows& pairs, std::size_t p, const lanes3& force) {
     quad row[pendular::lane_count];
-    pendular::store(row, {force.x, force.y, force.z, block(block::Zero())});
+    pendular::store(row, {force.x, force.y, force.z, block(0.0)});
     const std::size_t real = std::min<std::size_t>(pendular::lane_count, pairs.count - p);
     for (std::size_t lane = 0; lane < real; ++lane) {
       const four f = whole(row[lane]);
@@ -108,12 +93,13 @@ class listed_actions {
   }
 
   void put(const pair_rows&, std::size_t p, const action_block& acts) {
-    detail::store<&action::force>(&rows_[p], {acts.force.x, acts.force.y, acts.force.z, acts.gap});
-    detail::store<&action::torque>(&rows_[p], {acts.turn.x, acts.turn.y, acts.turn.z, acts.touching});
+    put_forces(p, {acts.force.x, acts.force.y, acts.force.z, acts.gap});
+    const quad_block torques{acts.turn.x, acts.turn.y, acts.turn.z, acts.touching};
+    pendular::simd::scatter(torques, [&](int k) -> quad& { return rows_[p + static_cast<std::size_t>(k)].torque; });
   }
   /// Where the torques are 0 already.
   void put_force(const pair_rows&, std::size_t p, const lanes3& force) {
-    detail::store<&action::force>(&rows_[p], {force.x, force.y, force.z, block(block::Zero())});
+    put_forces(p, {force.x, force.y, force.z, block(0.0)});
   }
   void put_nothing(std::size_t p) { std::fill_n(&rows_[p], pendular::lane_count, action{}); }
   void put_wall(const wall_rows& wall, std::size_t r, const action_block& acts) {
@@ -135,6 +121,10 @@ class listed_actions {
   }
 
  private:
+  void put_forces(std::size_t p, const quad_block& forces) {
+    pendular::simd::scatter(forces, [&](int k) -> quad& { return rows_[p + static_cast<std::size_t>(k)].force; });
+  }
+
   std::vector<action> of_walls_, rows_;
 };
 

@@ -70,8 +70,8 @@ class dry_scene {
   /// What was stored, turned about the normal, laid into the tangent plane and loaded by this step's slip.
   lanes3 loaded(const lanes3& memory, const lanes3& n, const block& twist, const lanes3& slip) const {
     const lanes3 turned = memory + twist * cross(n, memory), laid = pendular::tangential_part(turned, n);
-    const block same_length = (dot(memory, memory) / dot(laid, laid).max(1e-60)).sqrt();
-    return same_length * laid - block(block::Constant(tangential_stiffness * p_.time_step)) * slip;
+    const block same_length = pendular::sqrt(dot(memory, memory) / pendular::max(dot(laid, laid), block(1e-60)));
+    return same_length * laid - block(tangential_stiffness * p_.time_step) * slip;
   }
 
   struct springs {
@@ -84,7 +84,7 @@ class dry_scene {
              const block& twist, action_block& acts) const {
     const block closing = dot(velocity, n);
     const block resistance = pendular::load(s.rate.data() + p) * closing * pendular::unit_step(block(-acts.gap));
-    const block push = p_.stiffness * (-acts.gap).max(0.0) + resistance;
+    const block push = p_.stiffness * pendular::max(block(-acts.gap), block(0.0)) + resistance;
     const lanes3 memory{pendular::load(s.x.data() + p), pendular::load(s.y.data() + p), pendular::load(s.z.data() + p)};
     const lanes3 slip = velocity - closing * n + rolling;
     const lanes3 traction = pendular::shortened_to(loaded(memory, n, twist, slip), block(p_.friction * push));
@@ -93,7 +93,7 @@ class dry_scene {
     pendular::store(s.z.data() + p, traction.z);
     acts.force = traction - push * n;
     acts.turn = cross(n, traction);
-    acts.touching = block::Zero();
+    acts.touching = block(0.0);
   }
 
   static void forget(springs& s, std::size_t p) {
@@ -106,13 +106,13 @@ class dry_scene {
     const lanes3 branch{to.a - from.a, to.b - from.b, to.c - from.c};
     const block sum = from.d + to.d, square = dot(branch, branch);
     char& busy = busy_[p / pendular::lane_count];
-    if (!((square - sum * sum).minCoeff() < 0)) {
+    if (!any(square - sum * sum < 0)) {
       if (busy != 0) forget(of_pairs_, p), actions_.put_nothing(p);
       busy = 0;
       return;
     }
     busy = 1;
-    const block distance = square.sqrt(), gap = distance - from.d - to.d;
+    const block distance = pendular::sqrt(square), gap = distance - from.d - to.d;
     const lanes3 n = block(1 / distance) * branch;
     const quad_block vi = gather(b_.motion.data(), i), vj = gather(b_.motion.data(), j);
     const quad_block wi = gather(spin_.data(), i), wj = gather(spin_.data(), j);
@@ -130,9 +130,9 @@ class dry_scene {
     const std::size_t axis = w / 2;
     const block& along = axis == 0 ? x.a : axis == 1 ? x.b : x.c;
     const block gap = (w % 2 == 1 ? block(b_.edge(axis) - along) : along) - x.d;
-    if (!(gap.minCoeff() < 0)) return forget(of_walls_[w], r);
+    if (!any(gap < 0)) return forget(of_walls_[w], r);
     const quad_block v = gather(b_.motion.data(), near), s = gather(spin_.data(), near);
-    const block one = block::Constant(w % 2 == 1 ? 1 : -1), zero = block::Zero();
+    const block one = block(w % 2 == 1 ? 1 : -1), zero = block(0.0);
     const lanes3 n{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero}, spin{s.a, s.b, s.c};
     action_block acts{{}, {}, gap, x.d, {}, {}};
     touch(of_walls_[w], r, n, {v.a, v.b, v.c}, cross(block(x.d + gap) * spin, n), 0.5 * p_.time_step * dot(spin, n),

@@ -13,7 +13,7 @@ class straight_forces {
 
   void put(const pair_rows& pairs, std::size_t p, const lanes3& force) {
     quad row[pendular::lane_count];
-    pendular::store(row, {force.x, force.y, force.z, block(block::Zero())});
+    pendular::store(row, {force.x, force.y, force.z, block(0.0)});
     const std::size_t real = std::min<std::size_t>(pendular::lane_count, pairs.count - p);
     for (std::size_t lane = 0; lane < real; ++lane) {
       const four f = whole(row[lane]);
@@ -46,7 +46,7 @@ class listed_forces {
   }
 
   void put(const pair_rows&, std::size_t p, const lanes3& force) {
-    pendular::store(rows_.data() + p, {force.x, force.y, force.z, block(block::Zero())});
+    pendular::store(rows_.data() + p, {force.x, force.y, force.z, block(0.0)});
     busy_[p / pendular::lane_count] = 1;
   }
   void put_nothing(std::size_t p) {

@@ -53,13 +53,13 @@ class smooth_scene {
     const quad_block from = gather(b_.place.data(), i), to = gather(b_.place.data(), j);
     const lanes3 branch{to.a - from.a, to.b - from.b, to.c - from.c};
     const block touch = from.d + to.d, square = dot(branch, branch);
-    if (!((square - touch * touch).minCoeff() < 0)) return forces_.put_nothing(p);
-    const block distance = square.sqrt(), gap = distance - from.d - to.d;
+    if (!any(square - touch * touch < 0)) return forces_.put_nothing(p);
+    const block distance = pendular::sqrt(square), gap = distance - from.d - to.d;
     const lanes3 n = block(1 / distance) * branch;
     const quad_block vi = gather(b_.motion.data(), i), vj = gather(b_.motion.data(), j);
     const block closing = dot(lanes3{vi.a - vj.a, vi.b - vj.b, vi.c - vj.c}, n);
     const block resistance = pendular::load(rate_.data() + p) * closing * pendular::unit_step(block(-gap));
-    forces_.put(b_.pairs, p, block(-(p_.stiffness * (-gap).max(0.0) + resistance)) * n);
+    forces_.put(b_.pairs, p, block(-(p_.stiffness * pendular::max(block(-gap), block(0.0)) + resistance)) * n);
   }
 
   void evaluate_wall(std::size_t w) {

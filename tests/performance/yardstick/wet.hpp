@@ -109,15 +109,15 @@ class wet_scene {
 
   static lanes3 followed(const lanes3& memory, const lanes3& n, const block& twist) {
     const lanes3 turned = memory + twist * cross(n, memory), laid = pendular::tangential_part(turned, n);
-    return block((dot(memory, memory) / dot(laid, laid).max(1e-60)).sqrt()) * laid;
+    return pendular::sqrt(dot(memory, memory) / pendular::max(dot(laid, laid), block(1e-60))) * laid;
   }
 
   /// Eq. 12 in its stable form; the memory is that of the contact.
   lanes3 traction(const lanes3& slip, const block& mass, const block& count, const block& push, lanes3& memory) const {
     const block mass_rate = mass / (count * p_.time_step), resistance = 0.5625 * mass_rate;
-    const block limit = p_.friction * push.max(0.0);
+    const block limit = p_.friction * pendular::max(push, block(0.0));
     const lanes3 trial = block(viscosity / (viscosity + resistance)) * (memory - resistance * slip);
-    const lanes3 elastic = slip + block(block::Constant(1 / viscosity)) * trial;
+    const lanes3 elastic = slip + block(1 / viscosity) * trial;
     memory = pendular::shortened_to(lanes3(memory - block(0.0625 * mass_rate) * elastic), limit);
     return pendular::shortened_to(trial, limit);
   }
@@ -132,7 +132,7 @@ class wet_scene {
     const block closing = dot(m.velocity, m.n);
     acts.touching = pendular::unit_step(block(-acts.gap));
     const block push =
-        p_.stiffness * (-acts.gap).max(0.0) + pendular::load(c.rate.data() + p) * closing * acts.touching;
+        p_.stiffness * pendular::max(block(-acts.gap), block(0.0)) + pendular::load(c.rate.data() + p) * closing * acts.touching;
     lanes3 memory{pendular::load(c.x.data() + p), pendular::load(c.y.data() + p), pendular::load(c.z.data() + p)};
     memory = followed(memory, m.n, m.twist);
     const block mass = 2.0 / 7 * pendular::load(c.mass.data() + p);
@@ -151,15 +151,15 @@ class wet_scene {
   block pull(std::size_t p, const block& gap) {
     const block rupture = pendular::load(of_pairs_.rupture.data() + p);
     const block alive = pendular::unit_step(block(rupture - gap));
-    if (((gap - rupture) * pendular::unit_step(rupture)).maxCoeff() > 0) break_bridges(p, gap);
-    const block decayed = (-gap.max(0.0) * pendular::load(of_pairs_.decay.data() + p)).exp();
+    if (any(gap > rupture && rupture > 0)) break_bridges(p, gap);
+    const block decayed = pendular::exp(-pendular::max(gap, block(0.0)) * pendular::load(of_pairs_.decay.data() + p));
     return alive * pendular::load(of_pairs_.amplitude.data() + p) * decayed;
   }
 
   void break_bridges(std::size_t p, const block& gap) {
     for (int lane = 0; lane < pendular::lane_count; ++lane) {
       double& rupture = of_pairs_.rupture[p + static_cast<std::size_t>(lane)];
-      if (gap(lane) > rupture) rupture = -1;
+      if (gap[lane] > rupture) rupture = -1;
     }
   }
 
@@ -168,17 +168,17 @@ class wet_scene {
     const quad_block from = gather(b_.place.data(), i), to = gather(b_.place.data(), j);
     const lanes3 branch{to.a - from.a, to.b - from.b, to.c - from.c};
     const block sum = from.d + to.d, square = dot(branch, branch);
-    const bool touching = (square - sum * sum).minCoeff() < 0;
-    const bool bonded = pendular::load(of_pairs_.rupture.data() + p).maxCoeff() > 0;
+    const bool touching = any(square - sum * sum < 0);
+    const bool bonded = any(pendular::load(of_pairs_.rupture.data() + p) > 0);
     char& busy = busy_[p / pendular::lane_count];
     if (!touching && busy == in_contact) forget(of_pairs_, p);
     if (!touching && (busy == in_contact || (busy == bridging && !bonded))) actions_.put_nothing(p);
     busy = touching ? in_contact : bonded ? bridging : idle;
     if (busy == idle) return;
-    const block distance = square.sqrt(), gap = distance - from.d - to.d;
+    const block distance = pendular::sqrt(square), gap = distance - from.d - to.d;
     meeting m;
     m.n = block(1 / distance) * branch;
-    m.pull = bonded ? pull(p, gap) : block(block::Zero());
+    m.pull = bonded ? pull(p, gap) : block(0.0);
     if (!touching) return actions_.put_force(b_.pairs, p, m.pull * m.n);
     action_block acts{{}, {}, gap, from.d, to.d, {}};
     meet(i, j, acts, m);
@@ -194,7 +194,7 @@ class wet_scene {
     m.velocity = {vi.a - vj.a, vi.b - vj.b, vi.c - vj.c};
     m.rolling = cross(block(acts.radius_i + half) * si + block(acts.radius_j + half) * sj, m.n);
     m.twist = 0.5 * p_.time_step * dot(si + sj, m.n);
-    m.count = ((wi.d * vi.d + wj.d * vj.d) / (vi.d + vj.d)).max(1.0);
+    m.count = pendular::max((wi.d * vi.d + wj.d * vj.d) / (vi.d + vj.d), block(1.0));
   }
 
   PENDULAR_FLATTEN void evaluate_wall(std::size_t w, std::size_t r) {
@@ -203,14 +203,14 @@ class wet_scene {
     const std::size_t axis = w / 2;
     const block& along = axis == 0 ? x.a : axis == 1 ? x.b : x.c;
     const block gap = (w % 2 == 1 ? block(b_.edge(axis) - along) : along) - x.d;
-    if (!(gap.minCoeff() < 0)) return forget(of_walls_[w], r);
+    if (!any(gap < 0)) return forget(of_walls_[w], r);
     const quad_block v = gather(b_.motion.data(), near), s = gather(spin_.data(), near);
-    const block one = block::Constant(w % 2 == 1 ? 1 : -1), zero = block::Zero();
+    const block one = block(w % 2 == 1 ? 1 : -1), zero = block(0.0);
     const lanes3 n{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero}, spin{s.a, s.b, s.c};
     action_block acts{{}, {}, gap, x.d, {}, {}};
     touch(
         of_walls_[w], r,
-        {n, {v.a, v.b, v.c}, cross(block(x.d + gap) * spin, n), 0.5 * p_.time_step * dot(spin, n), s.d.max(1.0), zero},
+        {n, {v.a, v.b, v.c}, cross(block(x.d + gap) * spin, n), 0.5 * p_.time_step * dot(spin, n), pendular::max(s.d, block(1.0)), zero},
         acts);
     actions_.put_wall(b_.walls[w], r, acts);
   }

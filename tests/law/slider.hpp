@@ -9,7 +9,7 @@
 namespace blocks {
 
 template <class Law>
-struct block {
+struct slider {
   Law law;
   double mass;          // kg
   double normal_force;  // N
@@ -27,8 +27,8 @@ struct block {
   }
 };
 template <class Law>
-block(Law, double, double, double) -> block<Law>;
+slider(Law, double, double, double) -> slider<Law>;
 template <class Law>
-block(Law, double, double, double, double) -> block<Law>;
+slider(Law, double, double, double, double) -> slider<Law>;
 
 }  // namespace blocks

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs programs and compares what they print: `programs` is a list of files. One that ends with 77 cannot run here.
+cmake_minimum_required(VERSION 3.24)
+
+set(first "")
+set(compared 0)
+foreach(program IN LISTS programs)
+  execute_process(COMMAND "${program}" RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_QUIET)
+  if(status EQUAL 77)
+    message(STATUS "not on this machine: ${program}")
+    continue()
+  elseif(NOT status EQUAL 0)
+    message(FATAL_ERROR "${program} ended with ${status}")
+  endif()
+  math(EXPR compared "${compared} + 1")
+  if(NOT first)
+    set(first "${text}")
+    set(first_program "${program}")
+  elseif(NOT text STREQUAL first)
+    message(FATAL_ERROR "${first_program} prints\n${first}\n${program} prints\n${text}")
+  endif()
+endforeach()
+message(STATUS "${compared} builds give the same bits")

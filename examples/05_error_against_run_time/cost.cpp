@@ -41,7 +41,7 @@ double total(const T& x) {
   if constexpr (width<T>::value == 1) {
     return static_cast<double>(x);
   } else {
-    return static_cast<double>(x.sum());
+    return static_cast<double>(sum(x));
   }
 }
 

@@ -205,19 +205,47 @@ std::string settings(const fs::path& folder) {
   return t.text();
 }
 
-std::string wet_pairs(const fs::path& folder) {
-  table t({"wet pairs", "bridges per grain, start", "from 1 to 2 diameters", "wet, 300 Pa (Pa)", "angle (degrees)",
-           "intercept (Pa)", "beyond the dry line (Pa)"});
-  const group all = usual(folder);
-  const locus dry = all.dry_locus();
-  const auto row = [&](const char* label, const seeds& low, const seeds& high) {
+namespace {
+/// Rows of wet samples under 300 and 800 Pa, each with its line and what it bears beyond the dry one.
+class wet_table {
+ public:
+  wet_table(const char* what, const locus& dry)
+      : dry_(dry), table_({what, "bridges per grain, start", "from 1 to 2 diameters", "wet, 300 Pa (Pa)",
+                           "angle (degrees)", "intercept (Pa)", "beyond the dry line (Pa)"}) {}
+
+  void add(const char* label, const seeds& low, const seeds& high) {
     const locus wet = locus_of({low, high});
-    t.add({label, with("%.2f", of_sample(low, "bridges_per_grain_start")), with("%.2f", wet.bridges()), residual(low),
-           with("%.1f", wet.angle()), with("%.0f", wet.cohesion()), with("%.0f", mean_of(beyond_dry_line(wet, dry)))});
-  };
-  row("eligible", all.wet, all.wet_high);
-  row("touching", three_runs_of(folder / "wet_pairs" / "touching_s300"),
-      three_runs_of(folder / "wet_pairs" / "touching_s800"));
+    table_.add({label, with("%.2f", of_sample(low, "bridges_per_grain_start")), with("%.2f", wet.bridges()),
+                residual(low), with("%.1f", wet.angle()), with("%.0f", wet.cohesion()),
+                with("%.0f", mean_of(beyond_dry_line(wet, dry_)))});
+  }
+  void add(const char* label, const fs::path& of_case) {
+    add(label, three_runs_of(of_case.string() + "_s300"), three_runs_of(of_case.string() + "_s800"));
+  }
+  std::string text() const { return table_.text(); }
+
+ private:
+  locus dry_;
+  table table_;
+};
+}  // namespace
+
+std::string wet_pairs(const fs::path& folder) {
+  const group all = usual(folder);
+  wet_table t("wet pairs", all.dry_locus());
+  t.add("eligible", all.wet, all.wet_high);
+  t.add("touching", folder / "wet_pairs" / "touching");
+  return t.text();
+}
+
+std::string protocols(const fs::path& folder) {
+  const group all = usual(folder);
+  wet_table t("liquid", all.dry_locus());
+  t.add("w = 1 %, P2, kept on the grains", all.wet, all.wet_high);
+  t.add("w = 1 %, P1, homogeneous", folder / "protocols_in_shear" / "homogeneous");
+  t.add("w = 1 %, P3, to the lowest contact", folder / "protocols_in_shear" / "gravity");
+  t.add("w = 0.05 %", folder / "yield_loci" / "w0.0005");
+  t.add("w = 1 %, as many bonds", folder / "same_bonds" / "t1.2");
   return t.text();
 }
 

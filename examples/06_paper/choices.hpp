@@ -21,4 +21,7 @@ std::string settings(const std::filesystem::path& folder);
 /// Touching pairs only, against all eligible ones.
 std::string wet_pairs(const std::filesystem::path& folder);
 
+/// Protocols in the shear, and another water content with as many bonds.
+std::string protocols(const std::filesystem::path& folder);
+
 }  // namespace paper::shear

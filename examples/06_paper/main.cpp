@@ -40,6 +40,7 @@ parts of_paper(const fs::path& folder, const fs::path& figures) {
           {"speeds", [=] { return shear::speeds(folder); }},
           {"settings", [=] { return shear::settings(folder); }},
           {"wet pairs in shear", [=] { return shear::wet_pairs(folder); }},
+          {"protocols in shear", [=] { return shear::protocols(folder); }},
           {"fig. 10", [=] { return compression::stress_curves(folder, figures); }},
           {"fig. 11", [=] { return compression::still_zone(folder, figures); }},
           {"fig. 12", [=] { return compression::strengths(folder, figures); }},

@@ -119,6 +119,22 @@ TEMPLATE_TEST_CASE("no protocol makes a bridge of a film that is held", "", prot
   CHECK(b.free_film(1, c.view()) == within(1e-12, 0.01 - held * 0.1));
 }
 
+TEST_CASE("what round-off leaves above a held film is nothing") {
+  packing c;
+  c.radius = {1};
+  c.position = {{0, 0, 0}};
+  c.listed();
+  const double held = 4 * pi * 1e-3;
+  for (const double ulps : {1.0, 3.0}) {
+    auto b = bonds_of(wet(volume_is_distance{}), c, {}, {held * (1 + ulps * std::numeric_limits<double>::epsilon())});
+    b.select({.film_thickness = 1e-3});
+    CHECK(b.free_film(0, c.view()) == 0);
+  }
+  auto b = bonds_of(wet(volume_is_distance{}), c, {}, {held * (1 + 1e-12)});
+  b.select({.film_thickness = 1e-3});
+  CHECK(b.free_film(0, c.view()) == within(1e-3, 1e-12 * held));
+}
+
 TEMPLATE_TEST_CASE("no protocol makes a bridge to a wall of a film that is held", "", protocol::neighbours,
                    protocol::grain_films, protocol::gravity) {
   packing c;
@@ -180,6 +196,8 @@ TEST_CASE("gaps and films without meaning are refused, and nothing has changed")
     CHECK_THROWS_AS(s.distribute_liquid(1e-12, {.widest_gap = bad}), input_error);
     CHECK_THROWS_AS(s.distribute_liquid(1e-12, {.film_thickness = bad}), input_error);
   }
-  CHECK_THROWS_AS(s.distribute_liquid(1e-12, {.film_thickness = everything}), input_error);
+  for (const double bad : {everything, 1.7e308, 1.0}) {
+    CHECK_THROWS_AS(s.distribute_liquid(1e-12, {.film_thickness = bad}), input_error);
+  }
   CHECK(s.bridges().book().introduced() == 0);
 }

@@ -263,6 +263,51 @@ TEST_CASE("a cohesive sample without meaning is refused before anything is built
     unpacked([&](auto& p) { p.density = bad; });
   }
   refused([](auto& p) { p.water_content = 0; });
-  refused([](auto& p) { p.relaxation = 1e-9; });  // less than a step
+  for (const double no_steps : {1e-9, 1e300}) {
+    refused([&](auto& p) { p.relaxation = no_steps; });
+    unpacked([&](auto& p) { p.compaction = no_steps; });
+    unpacked([&](auto& p) { p.time_step = no_steps == 1e-9 ? 1e300 : 1e-300; });
+  }
+  refused([](auto& p) { p.selection.thinning = 0.5; });
+  refused([](auto& p) { p.selection.widest_gap = std::nan(""); });
+  refused([](auto& p) { p.selection.film_thickness = -1; });
   unpacked([](auto& p) { p.grains = 0; });
+}
+
+TEST_CASE("what is no packing is refused, and the sample can still be filled with one") {
+  scene::cohesive_sample sample(small_test(), wet_contact, walls, water);
+  const auto refused = [&](auto change) {
+    auto p = dense();
+    change(p);
+    CHECK_THROWS_AS(sample.start(p), input_error);
+    CHECK(sample.sample().particles().size() == 0);
+  };
+  refused([](auto& p) { p.grains.clear(); });
+  refused([](auto& p) { p.grains[5].radius = std::nan(""); });
+  refused([](auto& p) { p.grains[5].density = 0; });
+  refused([](auto& p) { p.grains[5].position.y = std::numeric_limits<double>::infinity(); });
+  refused([](auto& p) { p.room.upper.z = std::nan(""); });
+  refused([](auto& p) { std::swap(p.room.lower, p.room.upper); });
+  CHECK_NOTHROW(sample.start(dense()));
+  CHECK_THROWS_AS(sample.start(dense()), input_error);
+  CHECK(sample.sample().particles().size() == dense().grains.size());
+}
+
+TEST_CASE("a checkpoint of a box with other grains, and a file with a broken packing, are refused") {
+  const scratch::folder folder;
+  auto p = small_box();
+  p.compaction = 300 * p.time_step;
+  scene::box_packing first(p, smooth, walls);
+  scene::monitor watch;
+  watch.checkpoint = folder / "state", watch.checkpoint_interval = 100;
+  first.run(watch);
+  auto other = p;
+  other.grains += 1;
+  scene::box_packing second(other, smooth, walls);
+  CHECK_THROWS_AS(second.resume(io::checkpoint_reader(folder / "state")), input_error);
+  CHECK(second.sample().particles().size() == 0);
+  auto broken = dense();
+  broken.grains[4].position.x = std::nan("");
+  scene::write(broken, folder / "broken");
+  CHECK_THROWS_AS(scene::load_boxed_packing(io::checkpoint_reader(folder / "broken"), small_box()), input_error);
 }

@@ -256,4 +256,5 @@ TEST_CASE("a shear test without meaning is refused before anything is built") {
   refused([](auto& p) { p.displacement = cell_radius; });
   refused([](auto& p) { p.displacement = 1e-9; });  // less than a step
   refused([](auto& p) { p.water_content = 1; });
+  refused([](auto& p) { p.selection.widest_gap = -1; });
 }

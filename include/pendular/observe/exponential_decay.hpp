@@ -40,7 +40,8 @@ struct truncated_exponential {
 }  // namespace detail
 
 /// The decay of the values / unit that lie in the window, by maximum likelihood of an exponential cut off at both ends
-/// of it: no bins, and nothing outside of the window counts. Not a number for fewer than two values.
+/// of it: no bins, and nothing outside of the window counts. Not a number for fewer than two values; infinite, with an
+/// error that is no number, where values so close to one end say no more than that it is steep.
 /// Source: F. Deemer and D. Votaw 1955, Annals of Mathematical Statistics 26, 498, with both signs of the rate.
 /// Errors: a window that is not finite and increasing, a unit not positive and finite.
 inline exponential_decay exponential_decay_of(std::span<const double> values, double unit, decay_window window) {
@@ -50,6 +51,7 @@ inline exponential_decay exponential_decay_of(std::span<const double> values, do
   expects(std::isfinite(window.high) && window.high > window.low, "the upper end of a window", window.high,
           "finite and above the lower one", page);
   const double width = window.high - window.low;
+  expects(std::isfinite(width), "the width of a window", width, "finite", page);
   exponential_decay found;
   double sum = 0;
   for (const double value : values) {
@@ -65,6 +67,10 @@ inline exponential_decay exponential_decay_of(std::span<const double> values, do
   for (int k = 0; k < 100; ++k) {  // the mean falls with the rate
     const double middle = 0.5 * (low + high);
     (detail::truncated_exponential(middle).mean > sum / n ? low : high) = middle;
+  }
+  if (std::abs(low) > 0.99 * steepest) {
+    found.rate = std::copysign(std::numeric_limits<double>::infinity(), low);
+    return found;
   }
   found.rate = low / width;
   found.error = 1 / (width * std::sqrt(n * detail::truncated_exponential(low).variance));

@@ -24,8 +24,8 @@ struct upright_cylinder {
   double volume() const { return radius > 0 && high > low ? std::numbers::pi * radius * radius * (high - low) : 0; }
 };
 
-/// Volume of a sphere inside of the cylinder, m3: exact for a sphere that is wholly in or out, to 1e-3 of its volume
-/// for one that is cut.
+/// Volume of a sphere inside of the cylinder, m3: exact for a sphere that is wholly in or out, to 3e-4 of its volume
+/// for one that is cut by a cylinder as wide as the sphere or wider, to 3e-3 by a narrower one.
 inline double volume_within(const vector& centre, double radius, const upright_cylinder& c) {
   if (c.volume() == 0) return 0;
   const double from_axis = std::hypot(centre.x, centre.y);

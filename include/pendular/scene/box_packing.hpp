@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -47,10 +48,10 @@ inline void validate(const box_packing_parameters& p) {
   expects_positive("the pressure of the walls (Pa)", p.pressure, page);
   expects(p.agitation >= 0 && std::isfinite(p.agitation), "the agitation of the grains (m/s)", p.agitation,
           "at least 0 and finite", page);
-  expects_positive("the duration of the compaction (s)", p.compaction, page);
+  expects_positive("the time step (s)", p.time_step, page);
+  expects_steps("the duration of the compaction (s)", p.compaction, p.time_step, page);
   expects_positive("the unbalanced force at rest", p.unbalanced_force, page);
   expects_positive("the tolerance of the stress on the walls (Pa)", p.stress_tolerance, page);
-  expects_positive("the time step (s)", p.time_step, page);
 }
 
 /// Grains between six walls, in the order of their ids.
@@ -79,6 +80,21 @@ struct boxed_packing {
   }
 };
 
+/// Errors: input_error for a packing without grains, with a number that is not finite or a room turned inside out.
+inline void validate(const boxed_packing& p) {
+  constexpr auto page = "docs/reference/scenes.md";
+  expects(!p.grains.empty(), "the number of grains in the packing", 0, "at least 1", page);
+  const vector size = size_of(p.room);
+  for (const double edge : {size.x, size.y, size.z}) expects_positive("an edge of the packing's room (m)", edge, page);
+  for (const grain& g : p.grains) {
+    expects_positive("the radius of a grain in the packing (m)", g.radius, page);
+    expects_positive("the density of a grain in the packing (kg/m3)", g.density, page);
+    for (const double x : {g.position.x, g.position.y, g.position.z}) {
+      expects(std::isfinite(x), "the position of a grain in the packing (m)", x, "finite", page);
+    }
+  }
+}
+
 inline void write(const boxed_packing& p, const std::filesystem::path& file) {
   std::vector<double> numbers{p.stress, p.unbalanced_force};
   for (const vector& v : {p.room.lower, p.room.upper}) numbers.insert(numbers.end(), {v.x, v.y, v.z});
@@ -105,6 +121,7 @@ inline boxed_packing load_boxed_packing(const io::checkpoint_reader& in, const b
     p.grains.push_back({{n[k], n[k + 1], n[k + 2]}, n[k + 3], n[k + 4]});
     sum += 2 * n[k + 3];
   }
+  validate(p);
   const auto count = static_cast<double>(p.grains.size());
   expects(count == static_cast<double>(wanted.grains), "the number of grains in the packing", count,
           std::to_string(wanted.grains), page);
@@ -138,7 +155,11 @@ class box_packing {
     return packed();
   }
 
+  /// Errors: input_error for a checkpoint of another number of grains.
   void resume(const io::checkpoint_reader& in) {
+    const auto count = in.get<std::int64_t>("scene.grains");
+    expects(count == parameters_.grains, "the number of grains in the checkpoint", static_cast<double>(count),
+            std::to_string(parameters_.grains), "docs/reference/scenes.md");
     done_ = in.get<std::int64_t>("scene.done");
     const auto state = in.get<std::vector<double>>("scene.rest");
     stress_ = state.at(0), unbalanced_force_ = state.at(1);
@@ -182,6 +203,7 @@ class box_packing {
     out.put("scene.label", std::string_view{watch.label});
     out.put("scene.stage", std::string_view{"compact"});
     out.put("scene.done", done_);
+    out.put("scene.grains", parameters_.grains);
     out.put("scene.rest", std::vector<double>{stress_, unbalanced_force_});
     io::save(out, system_);
     out.commit();
@@ -191,7 +213,7 @@ class box_packing {
   lattice start_;
   system_type system_;
   std::int64_t done_ = 0;
-  double stress_ = 0, unbalanced_force_ = 0;
+  double stress_ = 0, unbalanced_force_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace pendular::scene

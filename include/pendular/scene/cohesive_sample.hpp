@@ -38,14 +38,13 @@ inline void validate(const cohesive_parameters& p) {
   expects(p.water_content > 0 && p.water_content < 1, "the water content w", p.water_content, "in (0, 1)", page);
   expects(p.confining_pressure >= 0 && std::isfinite(p.confining_pressure), "the confining pressure (Pa)",
           p.confining_pressure, "at least 0 and finite", page);
-  expects_positive("the duration of the relaxation (s)", p.relaxation, page);
+  expects_positive("the time step (s)", p.time_step, page);
+  expects_steps("the duration of the relaxation (s)", p.relaxation, p.time_step, page);
   expects_positive("the unbalanced force at rest", p.unbalanced_force, page);
   expects_positive("the tolerance of the stress on the walls (Pa)", p.stress_tolerance, page);
-  expects_positive("the time step (s)", p.time_step, page);
   expects_positive("the mass scaling", p.mass_scaling, page);
   expects_positive("the sample interval (s)", p.sample_interval, page);
-  expects(p.relaxation >= p.time_step, "the duration of the relaxation (s)", p.relaxation, "at least one time step",
-          page);
+  validate(p.selection);
 }
 
 /// Relaxation for one composition: liquid comes into a compacted dry packing, the walls go to the confining pressure,
@@ -61,8 +60,13 @@ class cohesive_sample {
         system_(grains, l, loaded_box({{-1, -1, -1}, {1, 1, 1}}, p.confining_pressure, walls, p.mass_scaling),
                 half_step_velocity_verlet{p.time_step}, p.numerics) {}
 
-  /// Wets the grains of a packing, which start at rest. Errors: input_error where the scene breaks a limit.
+  /// Wets the grains of a packing, which start at rest. Errors: input_error for what is no packing, or a second one, and
+  /// then nothing has changed; input_error where the scene breaks a limit.
   void start(const boxed_packing& packing) {
+    validate(packing);
+    const auto there = static_cast<double>(system_.particles().size());
+    expects(there == 0, "the number of grains in the sample before a packing comes", there, "0",
+            "docs/reference/scenes.md");
     for (grain g : packing.grains) {
       g.density *= parameters_.mass_scaling;
       g.velocity = g.angular_velocity = {0, 0, 0};
@@ -117,7 +121,8 @@ class cohesive_sample {
   }
 
   std::int64_t steps_per_record() const {
-    return std::max<std::int64_t>(1, std::llround(parameters_.sample_interval / parameters_.time_step));
+    const double interval = std::min(parameters_.sample_interval, parameters_.relaxation);
+    return std::max<std::int64_t>(1, std::llround(interval / parameters_.time_step));
   }
 
   std::string record() {

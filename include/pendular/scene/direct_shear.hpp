@@ -61,6 +61,7 @@ inline void validate(const shear_parameters& p) {
   expects(p.solid_fraction > 0 && p.solid_fraction < 0.74, "the solid fraction", p.solid_fraction, "in (0, 0.74)",
           page);
   expects(p.water_content >= 0 && p.water_content < 1, "the water content w", p.water_content, "in [0, 1)", page);
+  validate(p.selection);
 }
 
 /// The contacts in the stages of the test: all of the same laws.

@@ -46,6 +46,7 @@ inline void validate(const compression_parameters& p) {
           "at least 0 and finite", page);
   expects(p.duration >= p.time_step, "the duration of the compression (s)", p.duration, "at least one time step", page);
   expects(p.water_content >= 0 && p.water_content < 1, "the water content w", p.water_content, "in [0, 1)", page);
+  validate(p.selection);
 }
 
 /// The test for one composition: liquid between the eligible pairs of a sealed packing, no cylinder any more,

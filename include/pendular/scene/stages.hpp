@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/expects.hpp>
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 
 namespace pendular::scene {
+
+/// A stage is at least one step long and not so long that its steps cannot be counted.
+inline void expects_steps(const char* what, double duration, double time_step, const char* page) {
+  constexpr double most = 0x1p53;
+  const double steps = duration / time_step;
+  expects(steps >= 1 && steps <= most, what, duration, "at least one time step and at most 2^53 of them", page);
+}
 
 /// How a scene reports to whoever runs it.
 struct monitor {

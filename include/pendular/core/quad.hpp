@@ -128,6 +128,7 @@ template <class Four>
 
 }  // namespace simd
 
+namespace detail {
 /// One row as a value.
 using four = lanes<4>;
 template <class Row>
@@ -138,6 +139,7 @@ template <simd::FourDoubles Row>
 void store_row(Row& row, const four& values) {
   values.store(reinterpret_cast<double*>(&row));
 }
+}  // namespace detail
 
 /// The rows of a block of indices as lanes: eight loads and a few shuffles instead of a load and an insertion for each
 /// of the 32 numbers. A row is a quad or any other four numbers.

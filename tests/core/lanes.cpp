@@ -34,7 +34,8 @@ double worst_of(const Function& f, const Exact& exact, const At& at) {
     const block y = f(x);
     for (int k = 0; k < 8; ++k) {
       const long double expected = exact(static_cast<long double>(x[k]));
-      const double unit = std::abs(std::nextafter(static_cast<double>(expected), infinite) - static_cast<double>(expected));
+      const double unit =
+          std::abs(std::nextafter(static_cast<double>(expected), infinite) - static_cast<double>(expected));
       const double error = static_cast<double>(std::abs(static_cast<long double>(y[k]) - expected)) / unit;
       if (!(error <= worst)) worst = error;
     }
@@ -119,7 +120,8 @@ TEST_CASE("functions of lanes are right to one unit in the last place, of an ang
   CHECK(worst_of(log, exact_log, orders(5e-308, 1.7e308)) < 1);
   CHECK(worst_of(log, exact_log, between(0.5, 2)) < 1);
   const auto cbrt = [](auto x) { return pendular::cbrt(x); };
-  CHECK(worst_of(cbrt, [](long double x) { return std::cbrt(x); }, orders(1e-300, 1e300)) < 1);
+  CHECK(worst_of(
+            cbrt, [](long double x) { return std::cbrt(x); }, orders(1e-300, 1e300)) < 1);
   const auto sin = [](auto x) { return pendular::sin(x); };
   const auto cos = [](auto x) { return pendular::cos(x); };
   const auto exact_sin = [](long double x) { return std::sin(x); };
@@ -129,7 +131,8 @@ TEST_CASE("functions of lanes are right to one unit in the last place, of an ang
     CHECK(worst_of(cos, exact_cos, between(-far, far)) < 2.5);
   }
   const auto root = [](auto x) { return pendular::sqrt(x); };
-  CHECK(worst_of(root, [](long double x) { return std::sqrt(x); }, orders(1e-300, 1e300)) <= 0.5);
+  CHECK(worst_of(
+            root, [](long double x) { return std::sqrt(x); }, orders(1e-300, 1e300)) <= 0.5);
 }
 
 TEST_CASE("a power loses a unit in the last place per unit of its logarithm, and none as product, quotient or root") {

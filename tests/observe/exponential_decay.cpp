@@ -81,7 +81,8 @@ TEST_CASE("windows and units without meaning are refused") {
 
 TEST_CASE("values all at one end say that the decay is steep, and no more") {
   const std::vector<double> low(50, 0.0), high(50, 1.0);
-  const auto falling = observe::exponential_decay_of(low, 1, {0, 1}), growing = observe::exponential_decay_of(high, 1, {0, 1});
+  const auto falling = observe::exponential_decay_of(low, 1, {0, 1}),
+             growing = observe::exponential_decay_of(high, 1, {0, 1});
   CHECK((std::isinf(falling.rate) && falling.rate > 0 && std::isnan(falling.error) && falling.count == 50));
   CHECK((std::isinf(growing.rate) && growing.rate < 0 && std::isnan(growing.error)));
   CHECK_THROWS_AS(observe::exponential_decay_of(low, 1, {-1.7e308, 1.7e308}), input_error);

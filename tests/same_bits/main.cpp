@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One line per law and scene: its name and a number made of all bits of its results. Built for several instruction sets,
 // the program must print the same everywhere. Ends with 77 on a machine without the instructions.
+#include "../instruction_set.hpp"
 #include "../law/examples.hpp"
 
 #include <pendular/boundary/cylinder.hpp>
@@ -57,7 +58,8 @@ void digest_laws() {
     digest_law(typeid(L).name(), testing::approach_samples(), [&](const auto& a) { return law.repulsion(a); });
   });
   for_each_law(law::damping_laws, []<class L>(const L& law) {
-    digest_law(typeid(L).name(), testing::approach_samples(), [&](const auto& a) { return law.resistance(a, block(1e3)); });
+    digest_law(typeid(L).name(), testing::approach_samples(),
+               [&](const auto& a) { return law.resistance(a, block(1e3)); });
   });
   for_each_law(law::capillary_laws, []<class L>(const L& law) {
     digest_law(typeid(L).name(), testing::bridge_samples(validity_of<L>()),
@@ -108,31 +110,23 @@ void digest_scenes() {
   const velocity_verlet verlet{2e-6, {0, 0, -9.81}};
   const run_options forced{.force = true};
   const material rubbing{normal::linear{1e3}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}, energy_book{}};
-  const material creeping{normal::hertz{1e8, 0.22}, damping::viscous{0.3}, friction::viscous_coulomb{1, 0.4}, energy_book{}};
+  const material creeping{normal::hertz{1e8, 0.22}, damping::viscous{0.3}, friction::viscous_coulomb{1, 0.4},
+                          energy_book{}};
   digest_scene("dry, spring", pendular::system{rubbing, can, verlet, forced});
   digest_scene("wet, spring",
-               pendular::system{rubbing, liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::grain_films{}},
+               pendular::system{rubbing,
+                                liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::grain_films{}},
                                 can, verlet, forced});
   digest_scene("wet, Hertz, Eq. 12",
-               pendular::system{creeping, liquid{fluid::water(), capillary::willett{}, rupture::willett{}, protocol::neighbours{}},
-                                can, half_step, forced});
-}
-
-/// Whether this processor has what the program was built for.
-bool can_run() {
-#if defined(__AVX512F__)
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-#elif defined(__AVX2__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return true;
-#endif
+               pendular::system{
+                   creeping, liquid{fluid::water(), capillary::willett{}, rupture::willett{}, protocol::neighbours{}},
+                   can, half_step, forced});
 }
 
 }  // namespace
 
 int main() {
-  if (!can_run()) return 77;
+  if (!has_instructions_of_build()) return not_on_this_machine;
   digest_laws();
   digest_scenes();
 }

@@ -175,7 +175,7 @@ class wall_contacts {
   // Flattened, because a block passed to a function that is not inlined goes through memory.
   template <class Grains>
   PENDULAR_FLATTEN void evaluate_block(const Grains& g, const Wall& w, const Material& material, const Bonds& bonds,
-                      const contact_clock& clock, std::size_t k, lane_findings& found) {
+                                       const contact_clock& clock, std::size_t k, lane_findings& found) {
     const quad_block place = gather(g.template rows<grain_row::place>().data(), rows_.data() + k);
     const block& radius = place.d;
     const meeting<block> m = w.shape.meet(Vec3<block>{place.a, place.b, place.c}, radius);

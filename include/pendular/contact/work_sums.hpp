@@ -40,8 +40,8 @@ class work_sums {
     const double time_step = clock.moving ? clock.time_step : 0, lag = clock.velocity_lag;
     const dissipative_force<block> last = last_.load_block(row);
     last_.store_block(row, {f.damping, f.traction});
-    const block share = block((1 - lag) * time_step) * real_lanes(row, rows);
-    const block last_share = block(lag * time_step) * real_lanes(row, rows);
+    const block real = real_lanes(row, rows);
+    const block share = (1 - lag) * time_step * real, last_share = lag * time_step * real;
     sums& sum = chunks_[row / chunk];
     sum.damping += (share * f.damping + last_share * last.damping) * e.approaching.closing_speed;
     sum.friction -= share * dot(f.traction, f.slip_rate) + last_share * dot(last.traction, f.slip_rate);

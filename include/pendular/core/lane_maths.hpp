@@ -67,10 +67,10 @@ lanes<W> exp(const lanes<W>& x) {
   const lanes<W> shifted = held * std::numbers::log2e + detail::shifter, n = shifted - detail::shifter;
   const lanes<W> r = (held - n * detail::ln2_high) - n * detail::ln2_low;
   // (e^r - 1 - r) / r^2 for |r| up to ln(2)/2, to 1e-16
-  const lanes<W> q = detail::polynomial(r, 0.5000000000000001, 0.16666666666666669, 0.04166666666662413,
-                                        0.008333333333330062, 0.0013888888917213717, 0.00019841269863053618,
-                                        2.4801521295954376e-05, 2.7557268459997064e-06, 2.7620088445409746e-07,
-                                        2.510038549551032e-08);
+  const lanes<W> q =
+      detail::polynomial(r, 0.5000000000000001, 0.16666666666666669, 0.04166666666662413, 0.008333333333330062,
+                         0.0013888888917213717, 0.00019841269863053618, 2.4801521295954376e-05, 2.7557268459997064e-06,
+                         2.7620088445409746e-07, 2.510038549551032e-08);
   const lanes<W> result = detail::times_power_of_two(1.0 + (r + r * r * q), shifted);
   return select(x <= most, select(x < least, lanes<W>(0.0), result), x + detail::infinity);
 }
@@ -226,4 +226,4 @@ floats<W> cos(const floats<W>& x) {
   return detail::one_by_one([](float v) { return std::cos(v); }, x);
 }
 
-}  // namespace pendular::simd
+}  // namespace pendular::simd::inline PENDULAR_REGISTERS

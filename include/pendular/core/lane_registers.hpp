@@ -13,13 +13,13 @@ struct registers {
   registers<E, W / 2> low, high;
 };
 template <class E, int W>
-  requires(W * static_cast<int>(sizeof(E)) <= register_bytes)
+  requires(W* static_cast<int>(sizeof(E)) <= register_bytes)
 struct registers<E, W> {
   vector_of<E, W> value;
 };
 
 template <class E, int W>
-inline constexpr bool is_one_register = W * static_cast<int>(sizeof(E)) <= register_bytes;
+inline constexpr bool is_one_register = W* static_cast<int>(sizeof(E)) <= register_bytes;
 
 /// f of every register, or of every pair or triple of registers side by side, which makes one of R.
 template <class R, class F, class E, int W, class... Others>
@@ -34,13 +34,15 @@ template <class R, class F, class E, int W, class... Others>
 template <class E, int W>
 [[gnu::always_inline]] inline registers<E, W> filled_with(E value) {
   if constexpr (is_one_register<E, W>) {
-    return {[&]<int... K>(std::integer_sequence<int, K...>) {
-      return vector_of<E, W>{(static_cast<void>(K), value)...};
-    }(std::make_integer_sequence<int, W>{})};
-  } else {
-    const auto half = filled_with<E, W / 2>(value);
-    return {half, half};
+    return {[&]<int... K>(std::integer_sequence<int, K...>){return vector_of<E, W>{(static_cast<void>(K), value)...};
   }
+  (std::make_integer_sequence<int, W>{})
+};
+}  // namespace pendular::simd::inline PENDULAR_REGISTERS
+else {
+  const auto half = filled_with<E, W / 2>(value);
+  return {half, half};
+}
 }
 
 template <class E, int W>

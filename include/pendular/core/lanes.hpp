@@ -107,13 +107,21 @@ struct lanes {
   lanes& operator*=(const lanes& b) { return *this = *this * b; }
   lanes& operator/=(const lanes& b) { return *this = *this / b; }
   template <Number A>
-  lanes& operator+=(A b) { return *this = *this + lanes(b); }
+  lanes& operator+=(A b) {
+    return *this = *this + lanes(b);
+  }
   template <Number A>
-  lanes& operator-=(A b) { return *this = *this - lanes(b); }
+  lanes& operator-=(A b) {
+    return *this = *this - lanes(b);
+  }
   template <Number A>
-  lanes& operator*=(A b) { return *this = *this * lanes(b); }
+  lanes& operator*=(A b) {
+    return *this = *this * lanes(b);
+  }
   template <Number A>
-  lanes& operator/=(A b) { return *this = *this / lanes(b); }
+  lanes& operator/=(A b) {
+    return *this = *this / lanes(b);
+  }
 
   friend mask operator<(const lanes& a, const lanes& b) { return compared(std::less<>{}, a, b); }
   friend mask operator>(const lanes& a, const lanes& b) { return compared(std::greater<>{}, a, b); }
@@ -143,8 +151,9 @@ struct lanes {
 
   template <std::same_as<double> D>
   operator D() const {
-    static_assert(never<D>, "lanes are several numbers, of which none is the value: std::sqrt and the like take one number, "
-                            "write pendular::sqrt, exp, max and so on (docs/reference/concepts.md)");
+    static_assert(never<D>,
+                  "lanes are several numbers, of which none is the value: std::sqrt and the like take one number, "
+                  "write pendular::sqrt, exp, max and so on (docs/reference/concepts.md)");
     return 0;
   }
 
@@ -161,28 +170,90 @@ struct lanes {
 };
 
 template <class A>
-concept Lanes = requires { typename A::lane_element; };
+concept Lanes = requires {
+  typename A::lane_element;
+};
 
-template <Lanes T, Number A> T operator+(const T& a, A b) { return a + T(b); }
-template <Lanes T, Number A> T operator-(const T& a, A b) { return a - T(b); }
-template <Lanes T, Number A> T operator*(const T& a, A b) { return a * T(b); }
-template <Lanes T, Number A> T operator/(const T& a, A b) { return a / T(b); }
-template <Lanes T, Number A> T operator+(A a, const T& b) { return T(a) + b; }
-template <Lanes T, Number A> T operator-(A a, const T& b) { return T(a) - b; }
-template <Lanes T, Number A> T operator*(A a, const T& b) { return T(a) * b; }
-template <Lanes T, Number A> T operator/(A a, const T& b) { return T(a) / b; }
-template <Lanes T, Number A> typename T::mask operator<(const T& a, A b) { return a < T(b); }
-template <Lanes T, Number A> typename T::mask operator>(const T& a, A b) { return a > T(b); }
-template <Lanes T, Number A> typename T::mask operator<=(const T& a, A b) { return a <= T(b); }
-template <Lanes T, Number A> typename T::mask operator>=(const T& a, A b) { return a >= T(b); }
-template <Lanes T, Number A> typename T::mask operator==(const T& a, A b) { return a == T(b); }
-template <Lanes T, Number A> typename T::mask operator!=(const T& a, A b) { return a != T(b); }
-template <Lanes T, Number A> typename T::mask operator==(A a, const T& b) { return T(a) == b; }
-template <Lanes T, Number A> typename T::mask operator!=(A a, const T& b) { return T(a) != b; }
-template <Lanes T, Number A> typename T::mask operator<=(A a, const T& b) { return T(a) <= b; }
-template <Lanes T, Number A> typename T::mask operator>=(A a, const T& b) { return T(a) >= b; }
-template <Lanes T, Number A> typename T::mask operator<(A a, const T& b) { return T(a) < b; }
-template <Lanes T, Number A> typename T::mask operator>(A a, const T& b) { return T(a) > b; }
+template <Lanes T, Number A>
+T operator+(const T& a, A b) {
+  return a + T(b);
+}
+template <Lanes T, Number A>
+T operator-(const T& a, A b) {
+  return a - T(b);
+}
+template <Lanes T, Number A>
+T operator*(const T& a, A b) {
+  return a * T(b);
+}
+template <Lanes T, Number A>
+T operator/(const T& a, A b) {
+  return a / T(b);
+}
+template <Lanes T, Number A>
+T operator+(A a, const T& b) {
+  return T(a) + b;
+}
+template <Lanes T, Number A>
+T operator-(A a, const T& b) {
+  return T(a) - b;
+}
+template <Lanes T, Number A>
+T operator*(A a, const T& b) {
+  return T(a) * b;
+}
+template <Lanes T, Number A>
+T operator/(A a, const T& b) {
+  return T(a) / b;
+}
+template <Lanes T, Number A>
+typename T::mask operator<(const T& a, A b) {
+  return a < T(b);
+}
+template <Lanes T, Number A>
+typename T::mask operator>(const T& a, A b) {
+  return a > T(b);
+}
+template <Lanes T, Number A>
+typename T::mask operator<=(const T& a, A b) {
+  return a <= T(b);
+}
+template <Lanes T, Number A>
+typename T::mask operator>=(const T& a, A b) {
+  return a >= T(b);
+}
+template <Lanes T, Number A>
+typename T::mask operator==(const T& a, A b) {
+  return a == T(b);
+}
+template <Lanes T, Number A>
+typename T::mask operator!=(const T& a, A b) {
+  return a != T(b);
+}
+template <Lanes T, Number A>
+typename T::mask operator==(A a, const T& b) {
+  return T(a) == b;
+}
+template <Lanes T, Number A>
+typename T::mask operator!=(A a, const T& b) {
+  return T(a) != b;
+}
+template <Lanes T, Number A>
+typename T::mask operator<=(A a, const T& b) {
+  return T(a) <= b;
+}
+template <Lanes T, Number A>
+typename T::mask operator>=(A a, const T& b) {
+  return T(a) >= b;
+}
+template <Lanes T, Number A>
+typename T::mask operator<(A a, const T& b) {
+  return T(a) < b;
+}
+template <Lanes T, Number A>
+typename T::mask operator>(A a, const T& b) {
+  return T(a) > b;
+}
 
 /// Of all lanes, in an order that does not depend on the width of registers: halves are folded onto halves.
 template <int W, class E>
@@ -195,7 +266,7 @@ E sum(const lanes<W, E>& a) {
   return values[0];
 }
 
-}  // namespace simd
+}  // namespace simd::inline PENDULAR_REGISTERS
 
 /// W scalars at a time: one SIMD register or a few, whatever the machine has.
 using simd::lanes;

@@ -126,7 +126,7 @@ template <class Four>
   }
 }
 
-}  // namespace simd
+}  // namespace simd::inline PENDULAR_REGISTERS
 
 namespace detail {
 /// One row as a value.
@@ -164,7 +164,7 @@ template <class Row>
   };
   write_two(0, a), write_two(1, b), write_two(2, c), write_two(3, d);
 }
-}  // namespace simd
+}  // namespace simd::inline PENDULAR_REGISTERS
 
 /// Lanes become eight rows that follow each other.
 inline void store(quad* rows, const quad_block& values) {

@@ -20,7 +20,9 @@ concept Scalar = std::copy_constructible<T> && std::constructible_from<T, double
 namespace detail {
 /// Several numbers side by side, which have an answer each to a comparison (core/lanes.hpp).
 template <class T>
-concept Lanes = requires { typename std::remove_cvref_t<T>::lane_element; };
+concept Lanes = requires {
+  typename std::remove_cvref_t<T>::lane_element;
+};
 
 /// The element type behind lanes; the type itself for every other scalar.
 template <class T>

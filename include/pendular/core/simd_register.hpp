@@ -169,4 +169,4 @@ template <class V>
   return found;
 }
 
-}  // namespace pendular::simd
+}  // namespace pendular::simd::inline PENDULAR_REGISTERS

@@ -121,8 +121,7 @@ report capillary_law_report(const Law& law, const fluid& f) {
   }
   using lanes_of_float = lanes<16, float>;
   detail::demand_capillary_in<float>(broken, law, f, "the attraction must be the same in float");
-  detail::demand_capillary_in<lanes<8>>(broken, law, f,
-                                                          "the attraction must be the same in lanes of double");
+  detail::demand_capillary_in<lanes<8>>(broken, law, f, "the attraction must be the same in lanes of double");
   detail::demand_capillary_in<lanes_of_float>(broken, law, f, "the attraction must be the same in lanes of float");
   detail::demand_capillary_in<dual>(broken, law, f, "the attraction must be the same under automatic differentiation");
   return broken;

@@ -65,10 +65,8 @@ report damping_law_report(const Law& law) {
     }
   }
   detail::demand_damping_in<float>(broken, law, "the resistance must be the same in float");
-  detail::demand_damping_in<lanes<8>>(broken, law,
-                                                        "the resistance must be the same in lanes of double");
-  detail::demand_damping_in<lanes<16, float>>(broken, law,
-                                                        "the resistance must be the same in lanes of float");
+  detail::demand_damping_in<lanes<8>>(broken, law, "the resistance must be the same in lanes of double");
+  detail::demand_damping_in<lanes<16, float>>(broken, law, "the resistance must be the same in lanes of float");
   detail::demand_damping_in<dual>(broken, law, "the resistance must be the same under automatic differentiation");
   return broken;
 }

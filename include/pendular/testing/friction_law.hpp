@@ -106,10 +106,8 @@ report friction_law_report(const Law& law, double friction_coefficient) {
     detail::demand_cone_for_any_history(broken, law, friction_coefficient, time_step);
   }
   detail::demand_friction_in<float>(broken, law, "the traction must be the same in float");
-  detail::demand_friction_in<lanes<8>>(broken, law,
-                                                         "the traction must be the same in lanes of double");
-  detail::demand_friction_in<lanes<16, float>>(broken, law,
-                                                         "the traction must be the same in lanes of float");
+  detail::demand_friction_in<lanes<8>>(broken, law, "the traction must be the same in lanes of double");
+  detail::demand_friction_in<lanes<16, float>>(broken, law, "the traction must be the same in lanes of float");
   detail::demand_friction_in<dual>(broken, law, "the traction must be the same under automatic differentiation");
   return broken;
 }

@@ -105,8 +105,7 @@ report normal_law_report(const Law& law) {
     if constexpr (detail::HasNormalEnergy<Law>) detail::demand_energy(broken, law, a);
   }
   detail::demand_normal_in<float>(broken, law, "the repulsion must be the same in float");
-  detail::demand_normal_in<lanes<8>>(broken, law,
-                                                       "the repulsion must be the same in lanes of double");
+  detail::demand_normal_in<lanes<8>>(broken, law, "the repulsion must be the same in lanes of double");
   detail::demand_normal_in<lanes<16, float>>(broken, law, "the repulsion must be the same in lanes of float");
   detail::demand_normal_in<dual>(broken, law, "the repulsion must be the same under automatic differentiation");
   return broken;

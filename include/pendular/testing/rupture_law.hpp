@@ -63,8 +63,7 @@ report rupture_law_report(const Law& law, const fluid& f) {
   }
   using lanes_of_float = lanes<16, float>;
   detail::demand_rupture_in<float>(broken, law, f, "the rupture distance must be the same in float");
-  detail::demand_rupture_in<lanes<8>>(broken, law, f,
-                                                        "the rupture distance must be the same in lanes of double");
+  detail::demand_rupture_in<lanes<8>>(broken, law, f, "the rupture distance must be the same in lanes of double");
   detail::demand_rupture_in<lanes_of_float>(broken, law, f, "the rupture distance must be the same in lanes of float");
   detail::demand_rupture_in<dual>(broken, law, f,
                                   "the rupture distance must be the same under automatic differentiation");

@@ -30,8 +30,8 @@ inline measurement run(const task& t, double skin, bool wet) {
                     " -screen none -log " + log);
   std::ifstream in(log);
   const std::string output{std::istreambuf_iterator<char>(in), {}};
-  const auto found = numbers_in(
-      output, program, R"(\n *\d+ +(\S+) +(\S+) +\S+ *\nLoop time of (\S+) on 1 procs for (\d+) steps)");
+  const auto found =
+      numbers_in(output, program, R"(\n *\d+ +(\S+) +(\S+) +\S+ *\nLoop time of (\S+) on 1 procs for (\d+) steps)");
   const double bridges = wet ? t.bridges : 0;
   return {1e9 * found[2] / found[3] / t.grains(), found[0] / 2 / t.grains(), bridges, found[1] / t.grains()};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../stopwatch.hpp"
 #include "../scenes.hpp"
+#include "../stopwatch.hpp"
 #include "measurement.hpp"
 
 #include <algorithm>

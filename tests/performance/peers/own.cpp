@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One of our scenes in a program of its own, which is built for several instruction sets: SCENE GRAINS WARMUP STEPS, in the
 // folder of the packing. Ends with 77 on a machine without the instructions.
+#include "../../instruction_set.hpp"
 #include "ours.hpp"
 
 #include <cstdlib>
@@ -9,16 +10,6 @@
 using namespace peers;
 
 namespace {
-
-bool can_run() {
-#if defined(__AVX512F__)
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-#elif defined(__AVX2__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return true;
-#endif
-}
 
 template <class Make>
 int print(const packing::sample& sample, int warmup, int steps, const Make& make) {
@@ -40,7 +31,7 @@ int run(const std::string& scene, const packing::sample& sample, int warmup, int
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (!can_run()) return 77;
+  if (!has_instructions_of_build()) return not_on_this_machine;
   if (count == 1) return EXIT_SUCCESS;
   if (count != 5) {
     std::fprintf(stderr, "own SCENE GRAINS WARMUP STEPS\n");

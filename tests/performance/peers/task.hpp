@@ -21,10 +21,10 @@ struct task {
   packing::sample sample;
   int warmup, steps;
   std::filesystem::path data, inflated;  // the packing as a data file, and with diameters larger by the reach
-  double rate;                 // of the dashpot, over the reduced mass, 1/s
-  double reach;                // gap below which there are as many pairs as we have bridges, m
-  double volume;               // of a mean bridge, m3
-  double bridges;              // per grain
+  double rate;                           // of the dashpot, over the reduced mass, 1/s
+  double reach;                          // gap below which there are as many pairs as we have bridges, m
+  double volume;                         // of a mean bridge, m3
+  double bridges;                        // per grain
 
   double grains() const { return static_cast<double>(sample.grains.size()); }
 };
@@ -74,8 +74,15 @@ inline task task_of(const packing::sample& sample, int warmup, int steps) {
   const double reach = reach_of_bridges(ours), bridges = static_cast<double>(ours.bridges().count());
   write_data(sample, data);
   write_data(sample, inflated, reach);
-  return {sample, warmup, steps, data, inflated, dashpot_rate(sample), reach,
-          ours.bridges().book().introduced() / bridges, bridges / static_cast<double>(sample.grains.size())};
+  return {sample,
+          warmup,
+          steps,
+          data,
+          inflated,
+          dashpot_rate(sample),
+          reach,
+          ours.bridges().book().introduced() / bridges,
+          bridges / static_cast<double>(sample.grains.size())};
 }
 
 }  // namespace peers

@@ -19,8 +19,8 @@ class time_over_size {
     plot_.x_label = "number of grains";
     plot_.y_label = "processor time per grain and step (ns)";
     plot_.logarithmic_x = plot_.logarithmic_y = true;
-    for (const char* label : {"YADE wet", "LIGGGHTS wet", "LAMMPS dry", "pendular, SSE2 wet", "pendular, SSE2 dry", "pendular, AVX-512 wet",
-          "pendular, AVX-512 dry"})
+    for (const char* label : {"YADE wet", "LIGGGHTS wet", "LAMMPS dry", "pendular, SSE2 wet", "pendular, SSE2 dry",
+                              "pendular, AVX-512 wet", "pendular, AVX-512 dry"})
       plot_.curves.push_back({label, {}, {}, pendular::io::curve_style::linespoints});
   }
 

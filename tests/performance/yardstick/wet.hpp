@@ -131,8 +131,8 @@ class wet_scene {
   void touch(contacts& c, std::size_t p, const meeting& m, action_block& acts) const {
     const block closing = dot(m.velocity, m.n);
     acts.touching = pendular::unit_step(block(-acts.gap));
-    const block push =
-        p_.stiffness * pendular::max(block(-acts.gap), block(0.0)) + pendular::load(c.rate.data() + p) * closing * acts.touching;
+    const block push = p_.stiffness * pendular::max(block(-acts.gap), block(0.0)) +
+                       pendular::load(c.rate.data() + p) * closing * acts.touching;
     lanes3 memory{pendular::load(c.x.data() + p), pendular::load(c.y.data() + p), pendular::load(c.z.data() + p)};
     memory = followed(memory, m.n, m.twist);
     const block mass = 2.0 / 7 * pendular::load(c.mass.data() + p);
@@ -208,10 +208,14 @@ class wet_scene {
     const block one = block(w % 2 == 1 ? 1 : -1), zero = block(0.0);
     const lanes3 n{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero}, spin{s.a, s.b, s.c};
     action_block acts{{}, {}, gap, x.d, {}, {}};
-    touch(
-        of_walls_[w], r,
-        {n, {v.a, v.b, v.c}, cross(block(x.d + gap) * spin, n), 0.5 * p_.time_step * dot(spin, n), pendular::max(s.d, block(1.0)), zero},
-        acts);
+    touch(of_walls_[w], r,
+          {n,
+           {v.a, v.b, v.c},
+           cross(block(x.d + gap) * spin, n),
+           0.5 * p_.time_step * dot(spin, n),
+           pendular::max(s.d, block(1.0)),
+           zero},
+          acts);
     actions_.put_wall(b_.walls[w], r, acts);
   }
 

@@ -2,6 +2,7 @@
 // How the wet scene grows: time per grain and step over the number of grains, what a second thread brings, and memory.
 // Every size is measured in turns with 8000 grains, so that the ratio does not follow the moods of the machine.
 #include "median.hpp"
+#include "memory.hpp"
 #include "scenes.hpp"
 #include "stopwatch.hpp"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <malloc.h>
 #include <string>
 
 namespace {
@@ -26,12 +26,6 @@ void use_threads(int count) {
 #else
   (void)count;
 #endif
-}
-
-/// Bytes that the process holds.
-double memory() {
-  const auto now = mallinfo2();
-  return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
 /// ns per grain and step of a slice.

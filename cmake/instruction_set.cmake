@@ -5,7 +5,7 @@
 # Whether the compiler, with the flags of this build, defines a macro.
 function(pendular_defines macro result)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
-  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
+  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_COMPILER_ARG1} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}")
   get_directory_property(options COMPILE_OPTIONS)
   list(FILTER options EXCLUDE REGEX "\\$<")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/pendular_instruction_set.cpp")

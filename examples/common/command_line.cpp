@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <limits>
 
 namespace examples {
 
@@ -55,10 +56,10 @@ void describe_liquid(CLI::App& app, wet_options& o) {
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   app.add_option("--widest-gap", o.widest_gap, "across which a distribution wets pairs, m; 0: touching pairs only")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0.0, std::numeric_limits<double>::infinity()))
       ->capture_default_str();
   app.add_option("--film-thickness", o.film_thickness, "of the film that stays on the grains before a bridge exists, m")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app.add_option("--kappa", o.surface_tension_force, "2 pi gamma_s cos(theta), N/m")
       ->check(positive)

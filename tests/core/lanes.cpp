@@ -97,6 +97,11 @@ TEST_CASE("a choice takes what the comparison says, and nothing of the other") {
   CHECK((chosen[0] == -1 && chosen[3] == -1 && chosen[4] == 1 && chosen[7] == 2));
   CHECK(pendular::select(1.0 > 2.0, 5.0, 6.0) == 6.0);
   CHECK(pendular::select(1.0, 5.0, 6.0) == 5.0);  // a number is asked whether it is positive
+  CHECK(pendular::select(-1.0, 5.0, 6.0) == 6.0);
+  CHECK(pendular::select(-1, 5.0, 6.0) == 6.0);
+  CHECK(pendular::select(-1.0f, block(5.0), block(6.0))[0] == 6.0);
+  CHECK(std::signbit(pendular::sin(block(-0.0))[0]));
+  static_assert(!std::is_constructible_v<block::mask, bool>);  // in which only one lane would be true
 }
 
 TEST_CASE("maximum and minimum keep the first where one is no number or both are the same") {

@@ -17,6 +17,7 @@ struct contact_findings {
   }
 };
 
+namespace simd::inline PENDULAR_REGISTERS {
 /// The same lane by lane, so that blocks do not reduce what a whole chunk can reduce at once.
 struct lane_findings {
   block event{-1.0};  // positive where a bridge breaks or may form
@@ -26,5 +27,7 @@ struct lane_findings {
   void demand_finite(const block& values) { zero += 0.0 * values; }
   contact_findings folded() const { return {any(event > 0), !all(room > 0 && zero == 0)}; }
 };
+}  // namespace simd::inline PENDULAR_REGISTERS
+using simd::lane_findings;
 
 }  // namespace pendular

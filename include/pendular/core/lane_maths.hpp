@@ -112,7 +112,8 @@ lanes<W> with_sign_of_power(const lanes<W>& size, const lanes<W>& x, bool whole,
 }  // namespace detail
 
 /// x to a power that all lanes share, with the limits and signs of std::pow: products, quotients and roots for small whole
-/// numbers and halves, else e^(p ln |x|), to |p ln x| units in the last place.
+/// numbers and halves, else e^(p ln |x|), to |p ln x| units in the last place; 0 instead of less than the smallest normal
+/// number.
 template <int W, Number P>
 lanes<W> pow(const lanes<W>& x, P exponent) {
   const double p = static_cast<double>(exponent);
@@ -177,7 +178,7 @@ template <int W>
 lanes<W> sin(const lanes<W>& x) {
   const auto q = detail::quarter_of(x);
   const lanes<W> size = select(abs(q.turn) == 1.0, q.cosine, q.sine);
-  const lanes<W> near = select(q.turn < 0.0 || q.turn > 1.0, -size, size);
+  const lanes<W> near = select(x == 0.0, x, select(q.turn < 0.0 || q.turn > 1.0, -size, size));  // minus zero stays
   const auto far = abs(x) > detail::farthest_angle;
   return any(far) ? select(far, detail::one_by_one([](double v) { return std::sin(v); }, x), near) : near;
 }

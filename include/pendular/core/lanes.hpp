@@ -41,6 +41,9 @@ struct lane_mask {
   using truth = truth_of<E>;
   registers<truth, W> bits;  // -1 for true, 0 for false
 
+  lane_mask() = default;
+  lane_mask(const registers<truth, W>& r) : bits(r) {}
+
   bool operator[](int k) const { return element_at(bits, k) != 0; }
 
   friend lane_mask operator&&(const lane_mask& a, const lane_mask& b) {
@@ -281,8 +284,12 @@ constexpr std::size_t padded(std::size_t rows) {
   return (rows + width - 1) / width * width;
 }
 
+namespace simd::inline PENDULAR_REGISTERS {
 inline block load(const double* from) { return block::load(from); }
 inline void store(double* to, const block& values) { values.store(to); }
+}  // namespace simd::inline PENDULAR_REGISTERS
+using simd::load;
+using simd::store;
 
 }  // namespace pendular
 

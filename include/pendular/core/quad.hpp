@@ -20,12 +20,12 @@ struct alignas(64) octet {
   quad low, high;
 };
 
+namespace simd::inline PENDULAR_REGISTERS {
+
 /// The same of a block of rows, number by number.
 struct quad_block {
   block a, b, c, d;
 };
-
-namespace simd::inline PENDULAR_REGISTERS {
 
 /// Rows that are four doubles, which is not asked.
 template <class Row>
@@ -141,18 +141,18 @@ void store_row(Row& row, const four& values) {
 }
 }  // namespace detail
 
+namespace simd::inline PENDULAR_REGISTERS {
+
 /// The rows of a block of indices as lanes: eight loads and a few shuffles instead of a load and an insertion for each
 /// of the 32 numbers. A row is a quad or any other four numbers.
 template <class Row>
 quad_block gather(const Row* column, const std::int32_t* rows) {
-  using namespace simd;
   const auto two = [&](int k) { return joined(read_row(column[rows[k]]), read_row(column[rows[k + 4]])); };
   registers<double, 8> a = two(0), b = two(1), c = two(2), d = two(3);
   transpose_both(a, b, c, d);
   return {block(a), block(b), block(c), block(d)};
 }
 
-namespace simd::inline PENDULAR_REGISTERS {
 /// The opposite: lanes become eight rows, of which row(k) is number k.
 template <class Row>
 [[gnu::always_inline]] inline void scatter(const quad_block& values, const Row& row) {
@@ -164,15 +164,20 @@ template <class Row>
   };
   write_two(0, a), write_two(1, b), write_two(2, c), write_two(3, d);
 }
-}  // namespace simd::inline PENDULAR_REGISTERS
 
 /// Lanes become eight rows that follow each other.
 inline void store(quad* rows, const quad_block& values) {
-  simd::scatter(values, [&](int k) -> quad& { return rows[k]; });
+  scatter(values, [&](int k) -> quad& { return rows[k]; });
 }
 inline void store(octet* rows, const quad_block& low, const quad_block& high) {
-  simd::scatter(low, [&](int k) -> quad& { return rows[k].low; });
-  simd::scatter(high, [&](int k) -> quad& { return rows[k].high; });
+  scatter(low, [&](int k) -> quad& { return rows[k].low; });
+  scatter(high, [&](int k) -> quad& { return rows[k].high; });
 }
+
+}  // namespace simd::inline PENDULAR_REGISTERS
+
+using simd::gather;
+using simd::quad_block;
+using simd::store;
 
 }  // namespace pendular

@@ -133,7 +133,9 @@ struct min_fn {
 struct select_fn {
   template <class Condition, class T>
   T operator()(const Condition& condition, const T& a, const T& b) const {
-    if constexpr (std::is_same_v<Condition, T>) {
+    if constexpr (std::is_arithmetic_v<Condition> && !std::is_same_v<Condition, bool>) {
+      return condition > 0 ? a : b;
+    } else if constexpr (std::is_same_v<Condition, T>) {
       return (*this)(condition > T(0), a, b);
     } else if constexpr (Lanes<T> && !std::is_same_v<Condition, bool>) {
       return select(condition, a, b);

@@ -20,8 +20,9 @@
 #error "pendular needs registers that round every result: compile 32-bit programs with -msse2 -mfpmath=sse"
 #endif
 
-// Names of lanes carry the width of registers, because it decides how they are passed: programs put together of parts with
-// different flags do not link instead of reading lanes from where they are not.
+// Names of lanes, and of the functions here that take or return them, carry the width of registers, because it decides how
+// they are passed: parts of a program with different flags do not take each other's functions and read lanes from where
+// they are not. A system has one name in all of them, so such parts must not share one.
 #if defined(__AVX512F__)
 #define PENDULAR_REGISTERS registers_of_64
 #elif defined(__AVX__)

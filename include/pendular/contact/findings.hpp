@@ -17,7 +17,8 @@ struct contact_findings {
   }
 };
 
-namespace simd::inline PENDULAR_REGISTERS {
+namespace simd {
+inline namespace PENDULAR_REGISTERS {
 /// The same lane by lane, so that blocks do not reduce what a whole chunk can reduce at once.
 struct lane_findings {
   block event{-1.0};  // positive where a bridge breaks or may form
@@ -27,7 +28,8 @@ struct lane_findings {
   void demand_finite(const block& values) { zero += 0.0 * values; }
   contact_findings folded() const { return {any(event > 0), !all(room > 0 && zero == 0)}; }
 };
-}  // namespace simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace simd
 using simd::lane_findings;
 
 }  // namespace pendular

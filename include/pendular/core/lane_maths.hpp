@@ -12,7 +12,8 @@
 // Functions of lanes of double, to a few units in the last place (pow: see there) and to the same bits in every build:
 // they are sums and products of lanes, and roots. The polynomials are interpolants at the Chebyshev nodes of the interval beside them, worked out
 // with 60 digits. Lanes of float go number by number: they are for the tests of laws.
-namespace pendular::simd::inline PENDULAR_REGISTERS {
+namespace pendular::simd {
+inline namespace PENDULAR_REGISTERS {
 
 namespace detail {
 template <int W, class E, class F>
@@ -227,4 +228,5 @@ floats<W> cos(const floats<W>& x) {
   return detail::one_by_one([](float v) { return std::cos(v); }, x);
 }
 
-}  // namespace pendular::simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace pendular::simd

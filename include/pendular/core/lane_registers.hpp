@@ -3,9 +3,8 @@
 
 #include <pendular/core/simd_register.hpp>
 
-#include <utility>
-
-namespace pendular::simd::inline PENDULAR_REGISTERS {
+namespace pendular::simd {
+inline namespace PENDULAR_REGISTERS {
 
 /// W numbers in as many registers as they need: halves of halves, so that the compiler sees values and no array.
 template <class E, int W>
@@ -13,13 +12,13 @@ struct registers {
   registers<E, W / 2> low, high;
 };
 template <class E, int W>
-  requires(W* static_cast<int>(sizeof(E)) <= register_bytes)
+  requires(static_cast<int>(sizeof(E)) * W <= register_bytes)
 struct registers<E, W> {
   vector_of<E, W> value;
 };
 
 template <class E, int W>
-inline constexpr bool is_one_register = W* static_cast<int>(sizeof(E)) <= register_bytes;
+inline constexpr bool is_one_register = static_cast<int>(sizeof(E)) * W <= register_bytes;
 
 /// f of every register, or of every pair or triple of registers side by side, which makes one of R.
 template <class R, class F, class E, int W, class... Others>
@@ -34,15 +33,11 @@ template <class R, class F, class E, int W, class... Others>
 template <class E, int W>
 [[gnu::always_inline]] inline registers<E, W> filled_with(E value) {
   if constexpr (is_one_register<E, W>) {
-    return {[&]<int... K>(std::integer_sequence<int, K...>){return vector_of<E, W>{(static_cast<void>(K), value)...};
+    return {value - vector_of<E, W>{}};  // a difference from zero, because a sum would lose the sign of minus zero
+  } else {
+    const auto half = filled_with<E, W / 2>(value);
+    return {half, half};
   }
-  (std::make_integer_sequence<int, W>{})
-};
-}  // namespace pendular::simd::inline PENDULAR_REGISTERS
-else {
-  const auto half = filled_with<E, W / 2>(value);
-  return {half, half};
-}
 }
 
 template <class E, int W>
@@ -82,4 +77,5 @@ inline bool any_true_in(const registers<E, W>& r) {
   }
 }
 
+}  // namespace PENDULAR_REGISTERS
 }  // namespace pendular::simd

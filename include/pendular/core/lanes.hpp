@@ -27,7 +27,8 @@
 namespace pendular {
 
 // A namespace of its own, where `sqrt(x)` of lanes is found by its argument: in pendular that name is an object.
-namespace simd::inline PENDULAR_REGISTERS {
+namespace simd {
+inline namespace PENDULAR_REGISTERS {
 
 template <class A>
 concept Number = std::is_arithmetic_v<A>;
@@ -269,7 +270,8 @@ E sum(const lanes<W, E>& a) {
   return values[0];
 }
 
-}  // namespace simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace simd
 
 /// W scalars at a time: one SIMD register or a few, whatever the machine has.
 using simd::lanes;
@@ -284,10 +286,12 @@ constexpr std::size_t padded(std::size_t rows) {
   return (rows + width - 1) / width * width;
 }
 
-namespace simd::inline PENDULAR_REGISTERS {
+namespace simd {
+inline namespace PENDULAR_REGISTERS {
 inline block load(const double* from) { return block::load(from); }
 inline void store(double* to, const block& values) { values.store(to); }
-}  // namespace simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace simd
 using simd::load;
 using simd::store;
 

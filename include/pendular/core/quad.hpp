@@ -20,7 +20,8 @@ struct alignas(64) octet {
   quad low, high;
 };
 
-namespace simd::inline PENDULAR_REGISTERS {
+namespace simd {
+inline namespace PENDULAR_REGISTERS {
 
 /// The same of a block of rows, number by number.
 struct quad_block {
@@ -126,7 +127,8 @@ template <class Four>
   }
 }
 
-}  // namespace simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace simd
 
 namespace detail {
 /// One row as a value.
@@ -141,7 +143,8 @@ void store_row(Row& row, const four& values) {
 }
 }  // namespace detail
 
-namespace simd::inline PENDULAR_REGISTERS {
+namespace simd {
+inline namespace PENDULAR_REGISTERS {
 
 /// The rows of a block of indices as lanes: eight loads and a few shuffles instead of a load and an insertion for each
 /// of the 32 numbers. A row is a quad or any other four numbers.
@@ -174,7 +177,8 @@ inline void store(octet* rows, const quad_block& low, const quad_block& high) {
   scatter(high, [&](int k) -> quad& { return rows[k].high; });
 }
 
-}  // namespace simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace simd
 
 using simd::gather;
 using simd::quad_block;

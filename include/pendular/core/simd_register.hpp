@@ -32,7 +32,8 @@
 #endif
 
 // One register of the build's own width, and the few things that the compilers' vector extension has no operator for.
-namespace pendular::simd::inline PENDULAR_REGISTERS {
+namespace pendular::simd {
+inline namespace PENDULAR_REGISTERS {
 
 #if defined(__AVX512F__)
 inline constexpr int register_bytes = 64;
@@ -170,4 +171,5 @@ template <class V>
   return found;
 }
 
-}  // namespace pendular::simd::inline PENDULAR_REGISTERS
+}  // namespace PENDULAR_REGISTERS
+}  // namespace pendular::simd

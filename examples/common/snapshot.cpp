@@ -29,12 +29,9 @@ void write_snapshot(const job_options& o, const snapshot& s, int number) {
       o.output / numbered("bonds", number), s.x, s.y, s.z, s.bonds, {},
       {field("force", 1, s.bond_force), field("volume", 1, s.bond_volume), field("gap", 1, s.bond_gap)});
   for (const char* stem : {"grains", "bonds"}) {
-    std::vector<pendular::io::collection::entry> before;
-    for (int k = 0; k < number; ++k) {
-      const double interval = s.time / std::max(number, 1);
-      before.push_back({interval * k, o.output / numbered(stem, k)});
-    }
-    pendular::io::collection series(o.output / (std::string(stem) + ".pvd"), before);
+    const auto path = o.output / (std::string(stem) + ".pvd");
+    using pendular::io::collection;
+    collection series = number == 0 ? collection(path, {}) : collection(path);
     series.add(s.time, o.output / numbered(stem, number));
   }
 }

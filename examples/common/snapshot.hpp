@@ -63,7 +63,8 @@ snapshot take(const System& s, const std::vector<pendular::vector>& reference, d
   return shot;
 }
 
-/// Writes the state for ParaView; the collection is rewritten so that a running job can be looked at.
+/// Writes the state for ParaView; the collection is rewritten so that a running job can be looked at. Number 0 begins it
+/// anew; another takes the place of frames that are not before it.
 void write_snapshot(const job_options& o, const snapshot& s, int number);
 
 /// Ray-traced sample.png and section.png, coloured by displacement, if pictures are wanted.

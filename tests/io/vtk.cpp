@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pendular/io/collection.hpp>
 #include <pendular/io/vtk.hpp>
 
 #include <array>
@@ -127,18 +126,4 @@ TEST_CASE("sizes that do not fit are refused before a file is touched", "[io][vt
         {"line 1", "point " + std::to_string(end), "3 points"}));
   }
   CHECK(folder.files() == 0);
-}
-
-TEST_CASE("a collection names its frames relative to itself after each frame", "[io][vtk]") {
-  const scratch::folder folder;
-  io::collection series{folder / "run.pvd", {{0, folder / "frames/0 & 1.vtp"}}};
-  series.add(0.1, folder / "frames/1.vtp");
-  CHECK(scratch::mentions(scratch::content(folder / "run.pvd"), {"timestep=\"0\"", "file=\"frames/0 &amp; 1.vtp\"",
-                                                                 "timestep=\"0.1\" group=\"\" part=\"0\" "
-                                                                 "file=\"frames/1.vtp\"",
-                                                                 "</Collection>"}));
-  series.add(0.2, folder / "2.vtp");
-  CHECK(scratch::mentions(scratch::content(folder / "run.pvd"), {"frames/1.vtp", "\"0.2\"", "\"2.vtp\""}));
-  CHECK(series.entries().size() == 3);
-  CHECK(folder.files() == 1);
 }

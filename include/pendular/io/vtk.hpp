@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -45,6 +47,29 @@ inline std::string xml_escaped(std::string_view text) {
     else safe += c;
   }
   return safe;
+}
+
+/// What xml_escaped() was given.
+inline std::string xml_unescaped(std::string_view safe) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> names{
+      {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
+  std::string text;
+  while (!safe.empty()) {
+    const auto found = std::ranges::find_if(names, [&](const auto& n) { return safe.starts_with(n.first); });
+    text += found == names.end() ? safe.front() : found->second;
+    safe.remove_prefix(found == names.end() ? 1 : found->first.size());
+  }
+  return text;
+}
+
+/// The value of an attribute of the form name="value" in a tag.
+inline std::optional<std::string> xml_attribute(std::string_view tag, std::string_view name) {
+  const std::string opening = ' ' + std::string{name} + "=\"";
+  const auto begin = tag.find(opening);
+  if (begin == tag.npos) return std::nullopt;
+  const auto end = tag.find('"', begin + opening.size());
+  if (end == tag.npos) return std::nullopt;
+  return xml_unescaped(tag.substr(begin + opening.size(), end - begin - opening.size()));
 }
 
 inline const char* byte_order() { return std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"; }

@@ -216,6 +216,14 @@ TEST_CASE("a packing for another cell is refused") {
   CHECK_THROWS_AS(test.start(deposited()), input_error);
 }
 
+TEST_CASE("a packing that is none is refused before a grain is in the cell") {
+  auto broken = deposited();
+  broken.grains[3].position.z = -1;
+  scene::direct_shear test(small_test(), rough_cell, dry{});
+  CHECK_THROWS_AS(test.start(broken), input_error);
+  CHECK(test.sample().particles().size() == 0);
+}
+
 TEMPLATE_TEST_CASE("a direct shear that is resumed from any checkpoint of any stage ends with the same bits", "",
                    std::true_type, std::false_type) {
   const auto substance = [] {

@@ -211,6 +211,17 @@ TEST_CASE("stress on another area than the packing's is refused") {
   CHECK_THROWS_AS(test.start(packed()), input_error);
 }
 
+TEST_CASE("a packing that is none is refused before a grain is in the sample") {
+  auto broken = packed();
+  broken.grains[3].radius = -broken.grains[3].radius;
+  scene::simple_compression test(small_test(), rough, wet_by(protocol::none{}));
+  CHECK_THROWS_AS(test.start(broken), input_error);
+  broken = packed();
+  broken.solid_mass *= 1.01;
+  CHECK_THROWS_AS(test.start(broken), input_error);
+  CHECK(test.sample().particles().size() == 0);
+}
+
 TEST_CASE("a checkpoint of another composition is refused") {
   const scratch::folder folder;
   std::vector<fs::path> kept;

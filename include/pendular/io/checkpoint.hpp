@@ -21,6 +21,7 @@
 
 #include <pendular/io/atomic_file.hpp>
 #include <pendular/io/checkpoint_format.hpp>
+#include <pendular/io/number.hpp>
 
 namespace pendular::io {
 
@@ -79,8 +80,8 @@ class checkpoint_writer {
   }
 };
 
-/// Reads and verifies a whole checkpoint. Every error is a std::runtime_error that names the file, says what is wrong
-/// and what to do.
+/// Reads and verifies a whole checkpoint. Every error is a std::runtime_error of one sentence that names the file, says
+/// what is wrong, what to do and where to read.
 class checkpoint_reader {
  public:
   explicit checkpoint_reader(std::filesystem::path path) : path_{std::move(path)} {
@@ -91,19 +92,24 @@ class checkpoint_reader {
 
   bool has(std::string_view name) const { return records_.contains(name); }
 
+  /// Number of elements of the record, of whatever type.
+  std::size_t count(std::string_view name) const { return find(name).count; }
+
   /// `T` is std::vector of a number, a number, bool or std::string, and must be the type that was put.
   template <class T>
   T get(std::string_view name) const {
     if constexpr (std::same_as<T, std::string>) {
       const entry& e = find(name, detail::element::text);
       return bytes_.substr(e.offset, e.count);
+    } else if constexpr (std::same_as<T, bool>) {
+      const auto value = get<std::uint8_t>(name);
+      require(value <= 1, name, value, "0 or 1, as a bool");
+      return value == 1;
     } else if constexpr (checkpoint_scalar<T>) {
       const entry& e = find(name, detail::element_of<T>());
       if (e.count != 1)
-        fail("holds " + std::to_string(e.count) + " values in '" + std::string{name} + "'; read it as a std::vector");
-      std::conditional_t<std::same_as<T, bool>, std::uint8_t, T> value;
-      std::memcpy(&value, bytes_.data() + e.offset, sizeof value);
-      return static_cast<T>(value);
+        refuse("holds " + std::to_string(e.count) + " values in " + quoted(name) + "; read it as a std::vector");
+      return number<T>(e.offset);
     } else {
       static_assert(checkpoint_element<typename T::value_type>, "a checkpoint holds numbers of 4 or 8 bytes and uint8");
       const entry& e = find(name, detail::element_of<typename T::value_type>());
@@ -113,6 +119,28 @@ class checkpoint_reader {
     }
   }
 
+  /// The same of a std::vector that must have so many elements.
+  template <class T>
+  T get(std::string_view name, std::size_t elements) const {
+    const std::size_t there = count(name);
+    if (there != elements)
+      refuse("holds " + std::to_string(there) + " values in " + quoted(name) + ", where " + std::to_string(elements) +
+             " are needed; it may come from another scene or release");
+    return get<T>(name);
+  }
+
+  /// Throws the error that this file `what`.
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::runtime_error("pendular: checkpoint '" + path_.string() + "' " + what + " (see docs/reference/io.md)");
+  }
+
+  /// Refuses a record by one of its values: `bound` says what this must be.
+  void require(bool holds, std::string_view name, double value, std::string_view bound) const {
+    if (!holds)
+      refuse("holds " + shortest(value) + " in " + quoted(name) + ", where a value must be " + std::string{bound} +
+             "; restart from another checkpoint");
+  }
+
  private:
   struct entry {
     detail::element type;
@@ -120,12 +148,18 @@ class checkpoint_reader {
     std::size_t offset;  // of the first element in the file, bytes
   };
 
+  static constexpr auto again = "; restart from an older checkpoint";
+
   std::filesystem::path path_;
   std::string bytes_;
   std::map<std::string, entry, std::less<>> records_;
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error("pendular: checkpoint '" + path_.string() + "' " + what);
+  /// A name as it may stand in a sentence, whatever its bytes are.
+  static std::string quoted(std::string_view name) {
+    constexpr std::size_t most = 60;
+    std::string text = "'";
+    for (const char c : name.substr(0, most)) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+    return text + (name.size() > most ? "...'" : "'");
   }
 
   template <class T>
@@ -139,53 +173,80 @@ class checkpoint_reader {
     std::error_code error;
     const auto size = std::filesystem::file_size(path_, error);  // an error for a folder, too
     std::ifstream file{path_, std::ios::binary};
-    if (error || !file) fail("cannot be opened; check the path and its permissions");
-    bytes_.resize(size);
+    if (error || !file) refuse("cannot be opened; check the path and its permissions");
+    bytes_.resize(static_cast<std::size_t>(size));
     file.read(bytes_.data(), static_cast<std::streamsize>(size));
-    if (!file) fail("cannot be read to its end; check the disc");
+    if (!file) refuse("cannot be read to its end; check the disc");
   }
 
   void verify() const {
-    const std::string again = "; restart from an older checkpoint";
     const auto magic = std::string_view{bytes_}.substr(0, detail::checkpoint_magic.size());
-    if (!detail::checkpoint_magic.starts_with(magic)) fail("is not a pendular checkpoint; check the path");
+    if (!detail::checkpoint_magic.starts_with(magic)) refuse("is not a pendular checkpoint; check the path");
     if (bytes_.size() < detail::checkpoint_header + detail::checkpoint_trailer)
-      fail("is truncated to " + std::to_string(bytes_.size()) + " bytes" + again);
+      refuse("is truncated to " + std::to_string(bytes_.size()) + " bytes" + again);
     if (number<std::uint32_t>(12) != detail::byte_order_mark)
-      fail("was written with another byte order or is corrupted; read it on the kind of machine that wrote it");
+      refuse("was written with another byte order or is corrupted; read it on the kind of machine that wrote it");
     if (const auto version = number<std::uint32_t>(8); version != detail::checkpoint_version)
-      fail("has format version " + std::to_string(version) + " and this library reads version " +
-           std::to_string(detail::checkpoint_version) + "; use the release that wrote it");
+      refuse("has format version " + std::to_string(version) + " and this library reads version " +
+             std::to_string(detail::checkpoint_version) + "; use the release that wrote it");
     if (const auto size = number<std::uint64_t>(16); size != bytes_.size())
-      fail((size > bytes_.size() ? "is truncated: it has " : "is corrupted: it has ") + std::to_string(bytes_.size()) +
-           " bytes and should have " + std::to_string(size) + again);
+      refuse((size > bytes_.size() ? "is truncated: it has " : "is corrupted: it has ") +
+             std::to_string(bytes_.size()) + " bytes and should have " + std::to_string(size) + again);
     const std::size_t end = bytes_.size() - detail::checkpoint_trailer;
     if (detail::crc32(std::string_view{bytes_}.substr(0, end)) != number<std::uint32_t>(end))
-      fail("is corrupted: its CRC-32 does not match its content" + again);
+      refuse("is corrupted: its CRC-32 does not match its content" + std::string{again});
   }
 
-  /// Bounds need no checks beyond the checksum, which verify() has found right.
+  /// The checksum is right also for what a faulty or foreign program wrote: every length is held against the file.
   void index() {
+    const std::size_t end = bytes_.size() - detail::checkpoint_trailer;
+    const auto wanted = number<std::uint64_t>(24);
     std::size_t at = detail::checkpoint_header;
-    for (auto left = number<std::uint64_t>(24); left > 0; --left) {
+    for (std::uint64_t k = 1; k <= wanted; ++k) {
+      const std::string which = "record " + std::to_string(k) + " of " + std::to_string(wanted);
+      expect_room(4, 1, end - at, "the head of " + which);
       const auto length = number<std::uint32_t>(at);
+      expect_room(length, 1, end - at - 4, "the name of " + which);
       std::string name = bytes_.substr(at + 4, length);
       at += 4 + length;
+      expect_room(9, 1, end - at, "the head of record " + quoted(name));
       const entry e{number<detail::element>(at), number<std::uint64_t>(at + 1), at + 9};
+      expect_known(e.type, name);
+      expect_room(e.count, detail::element_size(e.type), end - e.offset, "record " + quoted(name));
       at = e.offset + e.count * detail::element_size(e.type);
-      records_.emplace(std::move(name), e);
+      if (!records_.emplace(name, e).second) refuse("is malformed: it has two records " + quoted(name) + again);
     }
+    if (at != end)
+      refuse("is malformed: it has " + std::to_string(end - at) + " bytes beyond its " + std::to_string(wanted) +
+             " records" + again);
+  }
+
+  void expect_room(std::uint64_t elements, std::size_t size, std::size_t room, const std::string& what) const {
+    if (elements > room / size)
+      refuse("is malformed: " + what + " has " + std::to_string(elements) + " elements of " + std::to_string(size) +
+             (size == 1 ? " byte, where " : " bytes, where ") + std::to_string(room) + " bytes are left" + again);
+  }
+
+  void expect_known(detail::element type, std::string_view name) const {
+    const auto code = static_cast<std::size_t>(type);
+    if (code == 0 || code >= detail::element_names.size())
+      refuse("is malformed: record " + quoted(name) + " has element type " + std::to_string(code) + ", where 1 to " +
+             std::to_string(detail::element_names.size() - 1) + " are known" + again);
+  }
+
+  const entry& find(std::string_view name) const {
+    const auto found = records_.find(name);
+    if (found == records_.end())
+      refuse("has no record " + quoted(name) + "; it may come from another scene or release");
+    return found->second;
   }
 
   const entry& find(std::string_view name, detail::element type) const {
-    const auto found = records_.find(name);
-    if (found == records_.end())
-      fail("has no record '" + std::string{name} + "'; it may come from another scene or release");
-    if (found->second.type != type)
-      fail("holds '" + std::string{name} + "' as " +
-           detail::element_names[static_cast<std::size_t>(found->second.type)] + ", not as " +
-           detail::element_names[static_cast<std::size_t>(type)] + "; read it as the type that was put");
-    return found->second;
+    const entry& e = find(name);
+    if (e.type != type)
+      refuse("holds " + quoted(name) + " as " + detail::element_names[static_cast<std::size_t>(e.type)] + ", not as " +
+             detail::element_names[static_cast<std::size_t>(type)] + "; read it as the type that was put");
+    return e;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <pendular/scene/box_walls.hpp>
 #include <pendular/scene/grading.hpp>
 #include <pendular/scene/loose_lattice.hpp>
+#include <pendular/scene/packed_grains.hpp>
 #include <pendular/scene/sample.hpp>
 #include <pendular/scene/stages.hpp>
 
@@ -43,7 +44,8 @@ struct box_packing_parameters {
 
 inline void validate(const box_packing_parameters& p) {
   constexpr auto page = "docs/reference/scenes.md";
-  expects_positive("the number of grains", static_cast<double>(p.grains), page);
+  expects_countable(p.grains);
+  validate(p.sizes);
   expects_positive("the density of the grains (kg/m3)", p.density, page);
   expects_positive("the pressure of the walls (Pa)", p.pressure, page);
   expects(p.agitation >= 0 && std::isfinite(p.agitation), "the agitation of the grains (m/s)", p.agitation,
@@ -86,11 +88,14 @@ inline void validate(const boxed_packing& p) {
   expects(!p.grains.empty(), "the number of grains in the packing", 0, "at least 1", page);
   const vector size = size_of(p.room);
   for (const double edge : {size.x, size.y, size.z}) expects_positive("an edge of the packing's room (m)", edge, page);
+  expects(std::isfinite(p.stress), "the stress on the packing's walls (Pa)", p.stress, "finite", page);
+  expects(p.unbalanced_force >= 0, "the unbalanced force in the packing", p.unbalanced_force, "at least 0", page);
   for (const grain& g : p.grains) {
-    expects_positive("the radius of a grain in the packing (m)", g.radius, page);
-    expects_positive("the density of a grain in the packing (kg/m3)", g.density, page);
-    for (const double x : {g.position.x, g.position.y, g.position.z}) {
-      expects(std::isfinite(x), "the position of a grain in the packing (m)", x, "finite", page);
+    expects_solid(g, std::min({size.x, size.y, size.z}));
+    for (const auto axis : {&vector::x, &vector::y, &vector::z}) {
+      const double x = g.position.*axis;
+      expects(x >= p.room.lower.*axis && x <= p.room.upper.*axis, "a coordinate of a grain in the packing (m)", x,
+              "within the packing's room", page);
     }
   }
 }
@@ -98,9 +103,7 @@ inline void validate(const boxed_packing& p) {
 inline void write(const boxed_packing& p, const std::filesystem::path& file) {
   std::vector<double> numbers{p.stress, p.unbalanced_force};
   for (const vector& v : {p.room.lower, p.room.upper}) numbers.insert(numbers.end(), {v.x, v.y, v.z});
-  for (const grain& g : p.grains) {
-    numbers.insert(numbers.end(), {g.position.x, g.position.y, g.position.z, g.radius, g.density});
-  }
+  append(numbers, p.grains);
   io::checkpoint_writer out(file);
   out.put("boxed_packing.numbers", numbers);
   out.commit();
@@ -110,21 +113,14 @@ inline void write(const boxed_packing& p, const std::filesystem::path& file) {
 /// of another mean diameter than `wanted`.
 inline boxed_packing load_boxed_packing(const io::checkpoint_reader& in, const box_packing_parameters& wanted) {
   constexpr auto page = "docs/reference/scenes.md";
-  const auto n = in.get<std::vector<double>>("boxed_packing.numbers");
-  if (n.size() < 8 || (n.size() - 8) % 5 != 0) {
-    throw std::runtime_error("boxed_packing.numbers has " + std::to_string(n.size()) +
-                             " entries, but a packing has 8 and 5 a grain; docs/reference/scenes.md");
-  }
-  boxed_packing p{{}, {{n[2], n[3], n[4]}, {n[5], n[6], n[7]}}, n[0], n[1]};
-  double sum = 0;
-  for (std::size_t k = 8; k + 4 < n.size(); k += 5) {
-    p.grains.push_back({{n[k], n[k + 1], n[k + 2]}, n[k + 3], n[k + 4]});
-    sum += 2 * n[k + 3];
-  }
+  const auto n = packing_numbers(in, "boxed_packing.numbers", 8);
+  boxed_packing p{grains_of(n, 8), {{n[2], n[3], n[4]}, {n[5], n[6], n[7]}}, n[0], n[1]};
   validate(p);
   const auto count = static_cast<double>(p.grains.size());
   expects(count == static_cast<double>(wanted.grains), "the number of grains in the packing", count,
           std::to_string(wanted.grains), page);
+  double sum = 0;
+  for (const grain& g : p.grains) sum += 2 * g.radius;
   const double mean = mean_diameter(wanted.sizes);
   expects(std::abs(sum / count - mean) <= 0.02 * mean, "the mean diameter in the packing (mm)", 1e3 * sum / count,
           std::to_string(1e3 * mean), page);
@@ -160,10 +156,11 @@ class box_packing {
     const auto count = in.get<std::int64_t>("scene.grains");
     expects(count == parameters_.grains, "the number of grains in the checkpoint", static_cast<double>(count),
             std::to_string(parameters_.grains), "docs/reference/scenes.md");
-    done_ = in.get<std::int64_t>("scene.done");
-    const auto state = in.get<std::vector<double>>("scene.rest");
-    stress_ = state.at(0), unbalanced_force_ = state.at(1);
+    const auto done = steps_done(in, std::llround(parameters_.compaction / parameters_.time_step));
+    const auto state = in.get<std::vector<double>>("scene.rest", 2);
+    for (const double x : state) in.require(!std::isnan(x), "scene.rest", x, "a number");
     io::load(in, system_);
+    done_ = done, stress_ = state[0], unbalanced_force_ = state[1];
   }
 
   const system_type& sample() const { return system_; }

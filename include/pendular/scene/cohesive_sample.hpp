@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace pendular::scene {
 
@@ -95,9 +96,11 @@ class cohesive_sample {
   }
 
   void resume(const io::checkpoint_reader& in) {
-    done_ = in.get<std::int64_t>("scene.done");
+    const auto done = steps_done(in, std::llround(parameters_.relaxation / parameters_.time_step));
+    auto result = result_;
+    load(in, result);
     io::load(in, system_);
-    load(in, result_);
+    done_ = done, result_ = std::move(result);
   }
 
   /// Called before the first step and after every record.

@@ -17,6 +17,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace pendular::scene {
 
@@ -89,9 +90,10 @@ class direct_shear {
   direct_shear(const shear_parameters& p, const shear_materials<Material>& m, const Liquid& l)
       : parameters_(checked(p)), materials_(m), system_(build(p, m.smooth, l)) {}
 
-  /// Wets the grains and puts the lid on. Errors: input_error where the packing is not of this cell or the scene breaks a
-  /// limit.
+  /// Wets the grains and puts the lid on. Errors: input_error where the packing is none or not of this cell, or the scene
+  /// breaks a limit.
   void start(const sealed_packing& packing) {
+    validate(packing);
     expects(std::abs(packing.cylinder_radius / parameters_.cell_radius - 1) < 1e-9,
             "the radius of the packing's cylinder (m)", packing.cylinder_radius, "that of the cell",
             "docs/reference/scenes.md");
@@ -131,11 +133,13 @@ class direct_shear {
   }
 
   void resume(const io::checkpoint_reader& in) {
-    stage_ = in.get<std::string>("scene.stage");
-    done_ = in.get<std::int64_t>("scene.done");
-    if (stage_ != "consolidate") roughen();
+    const auto stage = stage_in(in, {"consolidate", "rest", "shear"});
+    const auto done = steps_done(in, steps_of(stage));
+    auto result = result_;
+    load(in, result);
+    if (stage != "consolidate") roughen();
     io::load(in, system_);
-    load(in, result_);
+    stage_ = stage, done_ = done, result_ = std::move(result);
   }
 
   /// Called at the start of the shear and after every line of the curve.
@@ -275,6 +279,10 @@ class direct_shear {
   auto& lower_half() { return boundary::get<1>(system_.walls()); }
   auto& upper_half() { return boundary::get<2>(system_.walls()); }
   auto& lid() { return boundary::get<3>(system_.walls()); }
+  std::int64_t steps_of(const std::string& stage) const {
+    if (stage == "consolidate") return steps(parameters_.consolidation);
+    return steps(stage == "rest" ? parameters_.rest : parameters_.duration());
+  }
   std::int64_t steps(double duration) const { return std::llround(duration / parameters_.time_step); }
   std::int64_t steps_per_record() const {
     return std::max<std::int64_t>(1, steps(parameters_.sample_interval / parameters_.shear_speed));

@@ -36,12 +36,32 @@ inline double mean_diameter(const grading& g) {
                          [](double sum, const grain_class& c) { return sum + c.diameter * c.proportion; });
 }
 
+/// Errors: input_error for a grading without classes, a diameter that is none, a negative proportion, or proportions
+/// whose sum is not 1.
+inline void validate(const grading& g) {
+  constexpr auto page = "docs/reference/scenes.md";
+  expects(!g.empty(), "the number of classes of a grading", 0, "at least 1", page);
+  double sum = 0;
+  for (const grain_class& c : g) {
+    expects_positive("a diameter of a grading (m)", c.diameter, page);
+    expects(c.proportion >= 0, "a proportion of a grading", c.proportion, "at least 0", page);
+    sum += c.proportion;
+  }
+  expects(std::abs(sum - 1) < 1e-9, "the sum of the proportions of a grading", sum, "1", page);
+}
+
+/// Rows of grains are counted by 31 bits.
+inline void expects_countable(std::int64_t grains) {
+  constexpr std::int64_t most = (std::int64_t{1} << 31) - 1;
+  expects(grains > 0 && grains <= most, "the number of grains", static_cast<double>(grains), "1 to 2^31 - 1",
+          "docs/reference/scenes.md");
+}
+
 /// Diameters of `count` grains in random order: exact proportions, rounded so that the numbers add up.
+/// Errors: input_error.
 inline std::vector<double> diameters(const grading& g, std::int64_t count, std::uint64_t seed) {
-  expects(count > 0, "the number of grains", static_cast<double>(count), "at least 1", "docs/reference/scenes.md");
-  const double sum =
-      std::accumulate(g.begin(), g.end(), 0.0, [](double s, const grain_class& c) { return s + c.proportion; });
-  expects(std::abs(sum - 1) < 1e-9, "the sum of the proportions of a grading", sum, "1", "docs/reference/scenes.md");
+  validate(g);
+  expects_countable(count);
   std::vector<double> all;
   double wanted = 0;
   for (const grain_class& c : g) {

@@ -6,6 +6,7 @@
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/scene/grading.hpp>
 #include <pendular/scene/lid.hpp>
+#include <pendular/scene/packed_grains.hpp>
 #include <pendular/scene/placement.hpp>
 #include <pendular/scene/sample.hpp>
 #include <pendular/scene/stages.hpp>
@@ -42,7 +43,8 @@ struct packing_parameters {
 
 inline void validate(const packing_parameters& p) {
   constexpr auto page = "docs/reference/scenes.md";
-  expects_positive("the number of grains", static_cast<double>(p.grains), page);
+  expects_countable(p.grains);
+  validate(p.sizes);
   expects_positive("the radius of the cylinder (m)", p.cylinder_radius, page);
   expects_positive("the density of the grains (kg/m3)", p.density, page);
   expects_positive("the gravity (m/s2)", p.gravity, page);
@@ -62,11 +64,34 @@ struct sealed_packing {
   double cylinder_radius = 0;  // m
 };
 
+/// Errors: input_error for a packing without grains, with a number that is none, a grain outside of cylinder and height,
+/// or a mass or a solid fraction that is not that of the grains.
+inline void validate(const sealed_packing& p) {
+  constexpr auto page = "docs/reference/scenes.md";
+  expects(!p.grains.empty(), "the number of grains in the packing", 0, "at least 1", page);
+  expects_positive("the height of the packing (m)", p.height, page);
+  expects_positive("the radius of the packing's cylinder (m)", p.cylinder_radius, page);
+  double volume = 0, mass = 0;
+  for (const grain& g : p.grains) {
+    expects_solid(g, p.cylinder_radius);
+    const vector x = g.position;
+    expects(std::hypot(x.x, x.y) <= p.cylinder_radius, "the distance of a grain in the packing from the axis (m)",
+            std::hypot(x.x, x.y), "at most the radius of the cylinder", page);
+    expects(x.z >= 0 && x.z <= p.height, "the height of a grain in the packing (m)", x.z, "between floor and lid",
+            page);
+    volume += volume_of(g), mass += volume_of(g) * g.density;
+  }
+  const double fraction = volume / (std::numbers::pi * p.cylinder_radius * p.cylinder_radius * p.height);
+  constexpr double rounding = 1e-9;
+  expects(std::abs(p.solid_mass - mass) <= rounding * mass && std::isfinite(mass), "the solid mass of the packing (kg)",
+          p.solid_mass, "that of its grains", page);
+  expects(std::abs(p.solid_fraction - fraction) <= rounding * fraction, "the solid fraction of the packing",
+          p.solid_fraction, "that of its grains", page);
+}
+
 inline void save(io::checkpoint_writer& out, const sealed_packing& p) {
   std::vector<double> numbers{p.height, p.solid_fraction, p.solid_mass, p.cylinder_radius};
-  for (const grain& g : p.grains) {
-    numbers.insert(numbers.end(), {g.position.x, g.position.y, g.position.z, g.radius, g.density});
-  }
+  append(numbers, p.grains);
   out.put("packing.numbers", numbers);
 }
 
@@ -76,17 +101,11 @@ inline void write(const sealed_packing& p, const std::filesystem::path& file) {
   out.commit();
 }
 
-/// Errors: std::runtime_error if the file holds no packing.
+/// Errors: std::runtime_error if the file holds no packing, input_error if it is none.
 inline sealed_packing load_packing(const io::checkpoint_reader& in) {
-  const auto numbers = in.get<std::vector<double>>("packing.numbers");
-  if (numbers.size() < 4 || (numbers.size() - 4) % 5 != 0) {
-    throw std::runtime_error("packing.numbers has " + std::to_string(numbers.size()) +
-                             " entries, but a packing has 4 and 5 a grain; docs/reference/scenes.md");
-  }
-  sealed_packing p{{}, numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3)};
-  for (std::size_t k = 4; k + 4 < numbers.size(); k += 5) {
-    p.grains.push_back({{numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]});
-  }
+  const auto numbers = packing_numbers(in, "packing.numbers", 4);
+  sealed_packing p{grains_of(numbers, 4), numbers[0], numbers[1], numbers[2], numbers[3]};
+  validate(p);
   return p;
 }
 
@@ -137,10 +156,12 @@ class packing {
     return sealed(lid().shape.point.z);
   }
 
+  /// Errors: std::runtime_error for a checkpoint of another scene.
   void resume(const io::checkpoint_reader& in) {
-    sealing_ = in.get<std::string>("scene.stage") == "seal";
-    done_ = in.get<std::int64_t>("scene.done");
+    const bool sealing = stage_in(in, {"deposit", "seal"}) == "seal";
+    const auto done = steps_done(in, steps(sealing ? parameters_.sealing : parameters_.deposition));
     io::load(in, system_);
+    sealing_ = sealing, done_ = done;
   }
 
  private:

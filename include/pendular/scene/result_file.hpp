@@ -4,7 +4,10 @@
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/observe/energy.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pendular::scene {
@@ -25,6 +28,38 @@ void for_each_list(Result& r, const Visit& visit) {
   visit(r.records);
   if constexpr (requires { r.relaxation; }) visit(r.relaxation);
 }
+template <class Result>
+std::size_t count_numbers(Result& r) {
+  std::size_t count = 0;
+  for_each_number(r, [&](const double&) { ++count; });
+  return count;
+}
+
+/// The lengths of the lists, which make exactly so many numbers; asked before there is room for them.
+template <class Result>
+std::vector<std::int64_t> lengths_in(const io::checkpoint_reader& in, std::size_t numbers) {
+  Result one{};
+  std::size_t lists = 0, n = 0;
+  for_each_list(one, [&](auto&) { ++lists; });
+  const auto lengths = in.get<std::vector<std::int64_t>>("scene.lengths", lists);
+  const std::size_t fixed = count_numbers(one);
+  std::size_t left = numbers - std::min(numbers, fixed);
+  for_each_list(one, [&](auto& list) {
+    list.resize(1);
+    const std::size_t each = count_numbers(one) - fixed;
+    list.clear();
+    const std::int64_t length = lengths[n++];
+    in.require(length >= 0 && static_cast<std::size_t>(length) <= left / each, "scene.lengths",
+               static_cast<double>(length), "at least 0 and not more than 'scene.numbers' has");
+    left -= static_cast<std::size_t>(length) * each;
+  });
+  if (numbers < fixed || left != 0) {
+    in.refuse("holds " + std::to_string(numbers) +
+              " values in 'scene.numbers', which are not those of the lists in 'scene.lengths'; it may come from "
+              "another scene or release");
+  }
+  return lengths;
+}
 }  // namespace detail
 
 /// What a scene has found so far, in its checkpoint. A result has `reference`, `records`, perhaps `relaxation`, and a
@@ -42,16 +77,17 @@ void save(io::checkpoint_writer& out, const Result& r) requires requires {
   out.put("scene.numbers", numbers);
 }
 
+/// Errors: std::runtime_error for another number of numbers than the lists' lengths make.
 template <class Result>
 void load(const io::checkpoint_reader& in, Result& r) requires requires {
   r.records;
 }
 {
   const auto numbers = in.get<std::vector<double>>("scene.numbers");
-  const auto lengths = in.get<std::vector<std::int64_t>>("scene.lengths");
+  const auto lengths = detail::lengths_in<Result>(in, numbers.size());
   std::size_t n = 0, k = 0;
-  detail::for_each_list(r, [&](auto& list) { list.resize(static_cast<std::size_t>(lengths.at(n++))); });
-  for_each_number(r, [&](double& v) { v = numbers.at(k++); });
+  detail::for_each_list(r, [&](auto& list) { list.resize(static_cast<std::size_t>(lengths[n++])); });
+  for_each_number(r, [&](double& v) { v = numbers[k++]; });
 }
 
 }  // namespace pendular::scene

@@ -15,6 +15,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace pendular::scene {
 
@@ -61,8 +62,10 @@ class simple_compression {
   simple_compression(const compression_parameters& p, const Material& m, const Liquid& l)
       : parameters_(checked(p)), system_(m, l, plates(), integrator(p), p.numerics) {}
 
-  /// Wets the grains. Errors: input_error where the area is not that of the packing or the wet scene breaks a limit.
+  /// Wets the grains. Errors: input_error where the packing is none, the area is not its own, or the wet scene breaks a
+  /// limit.
   void start(const sealed_packing& packing) {
+    validate(packing);
     const double section = std::numbers::pi * packing.cylinder_radius * packing.cylinder_radius;
     expects(std::abs(parameters_.area / section - 1) < 1e-9, "the area of the sample (m2)", parameters_.area,
             "that of the packing's cylinder", "docs/reference/scenes.md");
@@ -95,10 +98,12 @@ class simple_compression {
   }
 
   void resume(const io::checkpoint_reader& in) {
-    compressing_ = in.get<std::string>("scene.stage") == "compress";
-    done_ = in.get<std::int64_t>("scene.done");
+    const bool compressing = stage_in(in, {"relax", "compress"}) == "compress";
+    const auto done = steps_done(in, steps(compressing ? parameters_.duration : parameters_.relaxation));
+    auto result = result_;
+    load(in, result);
     io::load(in, system_);
-    load(in, result_);
+    compressing_ = compressing, done_ = done, result_ = std::move(result);
   }
 
   /// Called at the end of the relaxation and after every line of the curve.

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 namespace pendular::scene {
 
@@ -19,6 +21,24 @@ inline void expects_steps(const char* what, double duration, double time_step, c
   constexpr double most = 0x1p53;
   const double steps = duration / time_step;
   expects(steps >= 1 && steps <= most, what, duration, "at least one time step and at most 2^53 of them", page);
+}
+
+/// The stage of a checkpoint, one of those a scene has.
+inline std::string stage_in(const io::checkpoint_reader& in, std::initializer_list<std::string_view> stages) {
+  std::string stage = in.get<std::string>("scene.stage"), known;
+  for (const std::string_view s : stages) {
+    if (s == stage) return stage;
+    known += (known.empty() ? "'" : ", '") + std::string{s} + "'";
+  }
+  in.refuse("holds another stage in 'scene.stage' than this scene's " + known + "; resume the scene that wrote it");
+}
+
+/// The steps that a checkpoint's stage has done, of `total`.
+inline std::int64_t steps_done(const io::checkpoint_reader& in, std::int64_t total) {
+  const auto done = in.get<std::int64_t>("scene.done");
+  in.require(done >= 0 && done <= total, "scene.done", static_cast<double>(done),
+             "0 to the stage's " + std::to_string(total) + " steps");
+  return done;
 }
 
 /// How a scene reports to whoever runs it.

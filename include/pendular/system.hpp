@@ -85,7 +85,7 @@ class system {
   /// Lists the pairs and evaluates the forces, so that the state can be looked at before the first step.
   void start() {
     if (started_) return;
-    expects(grains_.size() > 0, "the number of grains", 0, "at least 1", "docs/reference/system.md");
+    expect_grains();
     domain_ = around(bounding_box(grains_.template get<column::position>()));
     rebuild();
     evaluate(false);
@@ -93,8 +93,9 @@ class system {
     started_ = true;
   }
 
-  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness.
+  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
   std::vector<scene_limit> limits() const {
+    expect_grains();
     auto rigidities = detail::rigidities(grains_, list_, material_);
     const double near = 0.2 * extreme_radii(grains_).first;  // whatever the skin
     for_each_wall(
@@ -197,8 +198,9 @@ class system {
 
   /// Makes neighbour list and running sums anew. Done where a checkpoint is written and where it is read, so that both
   /// runs go on with the same bits.
-  /// `reach` is how far the new list must see at least, m.
+  /// `reach` is how far the new list must see at least, m. Errors: no grains.
   void canonicalise(double reach = 0) {
+    expect_grains();
     wanted_reach_ = reach;
     rebuild();
     wanted_reach_ = 0;
@@ -229,6 +231,10 @@ class system {
       (visit(std::get<I>(self.walls_.all), std::get<I>(self.wall_contacts_)), ...);
     }
     (std::make_index_sequence<count>{});
+  }
+
+  void expect_grains() const {
+    expects(grains_.size() > 0, "the number of grains", 0, "at least 1", "docs/reference/system.md");
   }
 
   void check_arguments() const {
@@ -277,7 +283,7 @@ class system {
 
   void rebuild() {
     check_grains(grains_, domain_, steps_);
-    const auto [small, large] = extreme_radii(grains_);
+    const double small = extreme_radii(grains_).first;
     skin_ = small * options_.skin.value_or(cheapest_skin(longest_way(*this) / small));
     double range = skin_;
     if constexpr (wet) {
@@ -287,14 +293,11 @@ class system {
       events_.ruptures += torn;
       torn_ |= torn > 0;
     }
-    const double edge = 2 * large + range;
-    const auto order =
-        cell_grid(grains_.template get<column::position>(), edge).order(grains_.template get<column::id>());
+    const graded_grid grid(grains_.template get<column::position>(), grains_.template get<column::radius>(), range);
+    const auto order = grid.order(grains_.template get<column::id>());
     grains_.permute(order);
-    const auto position = grains_.template get<column::position>();
-    const auto origin =
-        list_.rebuild(position, grains_.template get<column::radius>(), grains_.template get<column::id>(),
-                      cell_grid(position, edge), range, range - skin_, order);
+    const auto origin = list_.rebuild(grains_.template get<column::position>(), grains_.template get<column::radius>(),
+                                      grains_.template get<column::id>(), grid, range, range - skin_, order);
     contacts_.carry(origin, list_.padded_size());
     relist_walls(origin, order, range);
     const auto places = grains_.template rows<grain_row::place>();

@@ -4,6 +4,7 @@
 #include <pendular/space/cell_grid.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -24,6 +25,17 @@ TEST_CASE("the bounding box holds all points") {
   CHECK(b.upper == vector{1, 5, 9});
 }
 
+TEST_CASE("no points have a box in the origin and a grid of one empty cell") {
+  const box b = bounding_box(std::vector<vector>{});
+  CHECK((b.lower == vector{0, 0, 0} && b.upper == vector{0, 0, 0}));
+  const cell_grid grid(std::vector<vector>{}, 1);
+  CHECK(grid.order({}).empty());
+  CHECK(grid.starts() == std::vector<std::size_t>{0, 0});
+  std::size_t visits = 0;
+  grid.for_neighbours({7, -7, 7}, [&](std::size_t from, std::size_t to) { visits += from == 0 && to == 0; });
+  CHECK(visits == 1);
+}
+
 TEST_CASE("points are sorted by cell, x fastest, and by id within a cell") {
   // Cells of edge 1 from (0, 0, 0): cells 0, 1, 1 (x), 4 = 2 in y of 2, ...
   const std::vector<vector> points{{1.5, 1.5, 0}, {0.2, 0, 0}, {1.1, 0, 0}, {1.9, 0.9, 0}, {0.1, 1.2, 0}, {0, 0, 0}};
@@ -42,6 +54,8 @@ TEST_CASE("points outside of the box fall into the cells of its rim") {
   CHECK(grid.cell_at({-7, 0, 0}) == 0);
   CHECK(grid.cell_at({99, 0, 0}) == 3);
   CHECK(grid.cell_at({2.5, -5, 8}) == 2);
+  CHECK(grid.cell_at({1e200, 0, 0}) == 3);
+  CHECK(grid.cell_at({-1e200, 1e200, 0}) == 0);
 }
 
 TEST_CASE("the order is a permutation and neighbouring cells hold every point nearer than an edge") {
@@ -65,6 +79,38 @@ TEST_CASE("the order is a permutation and neighbouring cells hold every point ne
       if (dot(d, d) < 1.3 * 1.3) CHECK(seen.count(b) == 1);
     }
     CHECK(seen.size() < 500);
+  }
+}
+
+TEST_CASE("a ball meets the cells of all points in it, each once, and few others") {
+  std::vector<vector> points;
+  for (int k = 0; k < 3000; ++k) points.push_back({(k * 37) % 101 * 0.1, (k * 53) % 97 * 0.1, (k * 71) % 89 * 0.1});
+  const cell_grid unsorted(points, 0.9);
+  std::vector<vector> stored;
+  for (const std::size_t row : unsorted.order(numbered(3000))) stored.push_back(points[row]);
+  const cell_grid grid(stored, 0.9);
+  const auto starts = grid.starts();
+  for (const vector& centre : {vector{5, 5, 5}, vector{-2, 5, 4}, vector{12, 11, -1}, vector{5, 4, 3.6}}) {
+    for (const double radius : {0.0, 0.4, 2.7, 4.0, 9.0, 30.0}) {
+      std::set<std::size_t> seen;
+      grid.for_ball(centre, radius, [&](std::size_t from, std::size_t to) {
+        for (std::size_t b = starts[from]; b < starts[to + 1]; ++b) REQUIRE(seen.insert(b).second);
+      });
+      std::size_t near = 0;
+      for (std::size_t b = 0; b < 3000; ++b) {
+        const double distance = norm(stored[b] - centre);
+        if (distance <= radius) REQUIRE(seen.count(b) == 1);
+        near += distance <= radius + 1.001 * 0.9 * std::sqrt(3.0);  // a diagonal of a cell
+      }
+      CHECK(seen.size() <= near);
+    }
+  }
+}
+
+TEST_CASE("a ball that is apart from all points meets no cell") {
+  const cell_grid grid(std::vector<vector>{{0, 0, 0}, {1, 1, 1}}, 0.5);
+  for (const vector& centre : {vector{-3, 0, 0}, vector{0, 4, 0}, vector{0, 0, 1e200}, vector{-1e200, 0, 0}}) {
+    grid.for_ball(centre, 2.5, [](std::size_t, std::size_t) { FAIL("a cell was met"); });
   }
 }
 

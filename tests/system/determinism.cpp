@@ -99,6 +99,21 @@ auto wet_walled_scene(const Protocol& p, std::optional<double> skin, int n = 6) 
   return s;
 }
 
+/// A grain of five times the radius of the others, in their middle.
+template <class Protocol>
+auto graded_scene(const Protocol& p, std::optional<double> skin, int n = 8) {
+  const double side = 1.2e-3 * n, large = 2.5e-3;
+  const vector middle{0.5 * side, 0.5 * side, 0.5 * side};
+  pendular::system s{rubbing, water_with(p), moving_cell(side, 1.22e-3 * n), velocity_verlet{5e-6, gravity_down},
+                     run_options{.skin = skin, .force = true}};
+  for (const grain& g : loose_lattice(n, n, n, 0.5e-3, 0.1, 1.2e-3, 0.2)) {
+    if (s.particles().size() == 100) s.add({middle, large, 2600});
+    if (norm(g.position - middle) > large + g.radius) s.add(g);
+  }
+  CHECK(size_classes(s.particles().template get<column::radius>(), 0).all().size() == 2);
+  return s;
+}
+
 template <class System>
 void wet_and_run(System& s, std::int64_t steps, const bond_selection& selection = {}) {
   s.run(1000);
@@ -143,6 +158,7 @@ TEST_CASE("one and two threads give the same bits, energy book included") {
   check(wet_scene(rubbing, protocol::grain_films{}, 0.2, side));
   check(wet_scene(creeping, protocol::homogeneous{200}, 0.2, side));
   check(wet_walled_scene(protocol::neighbours{}, 0.2, side));
+  check(graded_scene(protocol::grain_films{}, 0.2, side));
   const bond_selection some{.thinning = 1.2, .seed = 3, .widest_gap = 5e-5, .film_thickness = 5e-8};
   check(wet_scene(creeping, protocol::homogeneous{200}, 0.2, side), some);
   check(wet_walled_scene(protocol::grain_films{}, 0.2, side), some);
@@ -170,6 +186,7 @@ TEST_CASE("a list made anew at every step and one that lasts give the same bits"
   check([](double skin) { return wet_scene(creeping, protocol::gravity{}, skin, 5); });
   check([](double skin) { return wet_scene(rubbing, protocol::neighbours{}, skin, 5); });
   check([](double skin) { return wet_walled_scene(protocol::grain_films{}, skin, 5); });
+  check([](double skin) { return graded_scene(protocol::neighbours{}, skin, 6); });
   check([](double skin) { return wet_walled_scene(protocol::gravity{}, skin, 5); });
   check([](double skin) { return wet_scene(rubbing, protocol::homogeneous{100}, skin, 5); });
 }
@@ -314,6 +331,9 @@ TEST_CASE("a resumed run goes on with the same bits") {
     const bond_selection selection{.thinning = 1.2, .seed = 3, .widest_gap = 5e-5, .film_thickness = 5e-7};
     check_restart([] { return wet_scene(rubbing, protocol::homogeneous{150}, {}); }, selection);
     check_restart([] { return wet_scene(rubbing, protocol::grain_films{}, {}); }, selection);
+  }
+  SECTION("a large grain") {
+    check_restart([] { return graded_scene(protocol::neighbours{}, {}); });
   }
   SECTION("bridges at walls") {
     check_restart([] { return wet_walled_scene(protocol::grain_films{}, {}); });

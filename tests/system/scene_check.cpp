@@ -217,11 +217,12 @@ TEST_CASE("arguments without meaning are refused at the border") {
                    pendular::system s{m, boundary::walls{}, velocity_verlet{1e-6}, run_options{.overlap_limit = 1}};
                  }),
                  {"overlap limit", "is 1"}));
-  CHECK(mentions(refusal([&] {
-                   pendular::system s{m, boundary::walls{}, velocity_verlet{1e-6}};
-                   s.run(1);
-                 }),
-                 {"number of grains", "is 0"}));
+  pendular::system empty{m, boundary::walls{}, velocity_verlet{1e-6}};
+  CHECK(mentions(refusal([&] { empty.run(1); }), {"number of grains", "is 0"}));
+  CHECK(mentions(refusal([&] { empty.limits(); }), {"number of grains", "is 0"}));
+  CHECK(mentions(refusal([&] { empty.canonicalise(); }), {"number of grains", "is 0"}));
+  empty.add({{0, 0, 0}, r, rho});
+  empty.run(1);
   CHECK(mentions(refusal([&] {
                    pendular::system s{m, boundary::walls{}, velocity_verlet{1e-6}};
                    s.add({{0, 0, 0}, -1, rho});

@@ -4,7 +4,7 @@
 #include <pendular/core/lanes.hpp>
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/strided.hpp>
-#include <pendular/space/cell_grid.hpp>
+#include <pendular/space/graded_grid.hpp>
 
 #include <algorithm>
 #include <array>
@@ -50,19 +50,16 @@ class pair_list {
   /// the list before; the answer tells for every pair which pair of the old list it was, or -1. Within a chunk of grains
   /// touching pairs come first, then those with a gap below `reach`, then the rest: so most blocks are of one kind.
   std::vector<std::int32_t> rebuild(strided<const vector> positions, strided<const double> radii,
-                                    std::span<const std::int64_t> ids, const cell_grid& grid, double range,
+                                    std::span<const std::int64_t> ids, const graded_grid& grid, double range,
                                     double reach, std::span<const std::size_t> came_from) {
     const pair_list before = std::move(*this);
     range_ = range;
-    find_pairs(positions, radii, ids, grid, reach);
-    list_incidences(ids);
-
+    ids_.assign(ids.begin(), ids.end());
+    find_pairs(positions, radii, grid, reach);
+    list_incidences();
     std::vector<std::int32_t> origin(size_, -1);
-    for_chunks(size_, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t p = begin; p < end; ++p) {
-        origin[p] = before.pair_of(came_from[static_cast<std::size_t>(first_[p])],
-                                   came_from[static_cast<std::size_t>(second_[p])]);
-      }
+    for_chunks(ids_.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t row = begin; row < end; ++row) find_origins(row, before, came_from[row], origin);
     });
     return origin;
   }
@@ -70,30 +67,37 @@ class pair_list {
  private:
   static constexpr std::size_t chunk = 256;
 
-  /// The pair of two rows, or -1.
-  std::int32_t pair_of(std::size_t row, std::size_t partner) const {
-    if (row + 1 >= start_.size()) return -1;
-    for (const incidence& n : pairs_of(row)) {
-      if (static_cast<std::size_t>((n.is_second ? first_ : second_)[n.pair]) == partner) {
-        return static_cast<std::int32_t>(n.pair);
-      }
-    }
-    return -1;
+  std::int64_t partner(const incidence& i) const {
+    return ids_[static_cast<std::size_t>((i.is_second ? first_ : second_)[i.pair])];
   }
 
-  void find_pairs(strided<const vector> positions, strided<const double> radii, std::span<const std::int64_t> ids,
-                  const cell_grid& grid, double reach) {
-    const std::vector<std::size_t> starts = grid.starts();
+  /// For the pairs whose first grain is that of the row. Old and new ones are both sorted by the partner, so that each is
+  /// looked at once, however many a grain has.
+  void find_origins(std::size_t row, const pair_list& before, std::size_t old_row,
+                    std::vector<std::int32_t>& origin) const {
+    if (old_row + 1 >= before.start_.size()) return;
+    const auto old = before.pairs_of(old_row);
+    auto at = old.begin();
+    for (const incidence& n : pairs_of(row)) {
+      if (n.is_second) continue;
+      const std::int64_t id = partner(n);
+      while (at != old.end() && (at->is_second || before.partner(*at) < id)) ++at;
+      if (at == old.end()) return;
+      if (before.partner(*at) == id) origin[n.pair] = static_cast<std::int32_t>(at->pair);
+    }
+  }
+
+  void find_pairs(strided<const vector> positions, strided<const double> radii, const graded_grid& grid, double reach) {
     std::vector<std::array<std::vector<std::int32_t>, 3>> found(chunk_count(positions.size(), chunk));
     for_chunks(positions.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
       for (std::size_t a = begin; a < end; ++a) {
-        grid.for_neighbours(positions[a], [&](std::size_t from_cell, std::size_t to_cell) {
-          for (std::size_t b = std::max(starts[from_cell], a + 1); b < starts[to_cell + 1]; ++b) {
+        grid.for_candidates(a, positions[a], radii[a], [&](std::size_t from, std::size_t to) {
+          for (std::size_t b = from; b < to; ++b) {
             const vector d = positions[b] - positions[a];
             const double touch = radii[a] + radii[b], square = dot(d, d);
             const auto farther = [&](double gap) { return square > (touch + gap) * (touch + gap); };
             if (farther(range_)) continue;
-            const bool in_order = ids[a] < ids[b];
+            const bool in_order = ids_[a] < ids_[b];
             auto& kind = found[c][farther(reach) ? 2 : farther(0) ? 1 : 0];
             kind.push_back(static_cast<std::int32_t>(in_order ? a : b));
             kind.push_back(static_cast<std::int32_t>(in_order ? b : a));
@@ -101,6 +105,10 @@ class pair_list {
         });
       }
     });
+    gather(found);
+  }
+
+  void gather(const std::vector<std::array<std::vector<std::int32_t>, 3>>& found) {
     first_.clear();
     second_.clear();
     for (const auto& kinds : found) {
@@ -118,28 +126,25 @@ class pair_list {
     }
   }
 
-  void list_incidences(std::span<const std::int64_t> ids) {
-    start_.assign(ids.size() + 1, 0);
+  void list_incidences() {
+    start_.assign(ids_.size() + 1, 0);
     for (std::size_t p = 0; p < size_; ++p) {
       ++start_[static_cast<std::size_t>(first_[p]) + 1];
       ++start_[static_cast<std::size_t>(second_[p]) + 1];
     }
-    for (std::size_t row = 0; row < ids.size(); ++row) start_[row + 1] += start_[row];
+    for (std::size_t row = 0; row < ids_.size(); ++row) start_[row + 1] += start_[row];
     incidences_.resize(2 * size_);
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
     for (std::size_t p = 0; p < size_; ++p) {
       incidences_[next[static_cast<std::size_t>(first_[p])]++] = {static_cast<std::uint32_t>(p) & 0x7fffffffu, 0};
       incidences_[next[static_cast<std::size_t>(second_[p])]++] = {static_cast<std::uint32_t>(p) & 0x7fffffffu, 1};
     }
-    for_chunks(ids.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t row = begin; row < end; ++row) sort_by_partner(row, ids);
+    for_chunks(ids_.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t row = begin; row < end; ++row) sort_by_partner(row);
     });
   }
 
-  void sort_by_partner(std::size_t row, std::span<const std::int64_t> ids) {
-    const auto partner = [&](const incidence& i) {
-      return ids[static_cast<std::size_t>((i.is_second ? first_ : second_)[i.pair])];
-    };
+  void sort_by_partner(std::size_t row) {
     const auto from = incidences_.begin() + static_cast<std::ptrdiff_t>(start_[row]);
     const auto to = incidences_.begin() + static_cast<std::ptrdiff_t>(start_[row + 1]);
     std::sort(from, to, [&](const incidence& a, const incidence& b) { return partner(a) < partner(b); });
@@ -148,6 +153,7 @@ class pair_list {
   std::size_t size_ = 0;
   double range_ = 0;
   std::vector<std::int32_t> first_, second_;
+  std::vector<std::int64_t> ids_;  // of the rows, by which the next list finds what its pairs were
   std::vector<std::size_t> start_;
   std::vector<incidence> incidences_;
 };

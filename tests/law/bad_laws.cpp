@@ -48,6 +48,12 @@ TEST_CASE("the normal kit finds a broken promise") {
   CHECK(blown_up.front().starts_with("the repulsion must be finite"));
 }
 
+TEST_CASE("a counterexample shows numbers that can be told apart") {
+  report broken;
+  testing::demand(broken, false, "they differ", {{"found", 1.00000000001}, {"expected", 1.0}, {"gap", 2.0}});
+  CHECK(broken.front() == "they differ: found = 1.00000000001, expected = 1, gap = 2");
+}
+
 TEST_CASE("the damping kit finds a broken promise") {
   using enum bad_dashpot::mistake;
   const auto of = [](auto made) { return testing::damping_law_report(bad_dashpot{made}); };
@@ -109,4 +115,15 @@ TEST_CASE("the rupture kit finds a broken promise") {
   check_found(of(dimensional), {"the rupture distance must scale as a length"});
   check_found(of(blows_up), {"the rupture distance must be zero without liquid"});
   CHECK(testing::rupture_law_report(rupture_in_double_only{}, fluid::water()).size() == 4);
+}
+
+TEST_CASE("the viscous bridge kit finds a broken promise") {
+  using enum bad_drag::mistake;
+  const auto of = [](auto made) { return testing::viscous_bridge_law_report(bad_drag{made}, fluid::water()); };
+  check_found(of(none), {});
+  check_found(of(drives), {"the resistance of a bridge must not be negative"});
+  check_found(of(dry), {"the resistance of a bridge must be zero without liquid"});
+  check_found(of(lopsided), {"the resistance of a bridge must not change when i and j are exchanged"});
+  CHECK(of(blows_up).front().starts_with("the resistance of a bridge must be finite"));
+  CHECK(testing::viscous_bridge_law_report(drag_in_double_only{}, fluid::water()).size() == 4);
 }

@@ -217,4 +217,25 @@ struct rupture_in_double_only {
   double distance(const bridge<double>& b, const fluid&) const { return cbrt(b.volume); }
 };
 
+// Viscous bridge -------------------------------------------------------------------------------------------------------
+
+struct bad_drag {
+  enum class mistake { none, drives, dry, lopsided, blows_up } made;
+
+  template <Scalar T>
+  bridge_resistance<T> resistance(const bridge<T>& b, const fluid& f) const {
+    const T length = T(f.viscosity) * cbrt(b.volume);
+    if (made == mistake::drives) return {length, -length};
+    if (made == mistake::dry) return {length, length + T(f.viscosity) * min(b.radius_i, b.radius_j)};
+    if (made == mistake::lopsided) return {length * (T(1) + length / b.radius_i), length};
+    if (made == mistake::blows_up) return {length * (T(1) + unit_step(T(-b.gap)) / max(T(b.gap), T(0))), length};
+    return {length, length};
+  }
+};
+struct drag_in_double_only {
+  bridge_resistance<double> resistance(const bridge<double>& b, const fluid& f) const {
+    return {f.viscosity * cbrt(b.volume), 0};
+  }
+};
+
 }  // namespace pendular::bad

@@ -49,6 +49,10 @@ template <>
 struct of<capillary::richefeu_harmonic> {
   static constexpr capillary::richefeu_harmonic value{};
 };
+template <>
+struct of<viscous::lubrication> {
+  static constexpr viscous::lubrication value{};
+};
 
 inline constexpr fluid tilted_water{0.0728, 0.5, 998.2, 1.002e-3};
 

@@ -4,6 +4,8 @@
 // expect 3: traction must return a Vec3 of the scalar type of its slip
 // expect 4: with a third argument `contact_memory<T>&`, a nested template, if it remembers
 // expect 5: with a third argument `contact_memory<T>&`, a nested template, if it remembers
+// expect 6: a friction law must take every scalar, not double alone
+// expect 7: traction must return a Vec3 of the scalar type of its slip: write Vec3<T>
 #include <pendular/law/check.hpp>
 
 using namespace pendular;
@@ -35,6 +37,21 @@ struct my_law {
   template <Scalar T>
   T traction(const slip<T>& s, const T&) const {
     return -norm(s.velocity);
+  }
+#elif PENDULAR_MISTAKE == 6
+  Vec3<double> traction(const slip<double>& s, double normal_force) const {
+    return shortened_to(-s.velocity, normal_force);
+  }
+#elif PENDULAR_MISTAKE == 7
+  template <class T>
+  struct times {
+    T factor;
+    const Vec3<T>& vector;
+    operator Vec3<T>() const { return factor * vector; }
+  };
+  template <Scalar T>
+  times<T> traction(const slip<T>& s, const T&) const {
+    return {T(-1), s.velocity};
   }
 #else
   template <Scalar T>

@@ -2,6 +2,8 @@
 // expect 1: a normal law must be copyable
 // expect 2: a normal law needs `template <Scalar T> T repulsion(const approach<T>&) const`
 // expect 3: repulsion must return the scalar type of its approach
+// expect 4: a normal law must take every scalar, not double alone
+// expect 5: repulsion must return the scalar type of its approach: write T
 #include <pendular/law/check.hpp>
 
 using namespace pendular;
@@ -18,6 +20,13 @@ struct my_law {
 #elif PENDULAR_MISTAKE == 3
   template <Scalar T>
   void repulsion(const approach<T>&) const {}
+#elif PENDULAR_MISTAKE == 4
+  double repulsion(const approach<double>& a) const { return max(-a.gap, 0.0); }
+#elif PENDULAR_MISTAKE == 5
+  template <Scalar T>
+  auto repulsion(const approach<T>& a) const {
+    return T(2) * max(T(-a.gap), T(0));
+  }
 #else
   template <Scalar T>
   T repulsion(const approach<T>& a) const {

@@ -21,6 +21,8 @@ static_assert(check::capillary_law<archetype::capillary_law> && CapillaryLaw<arc
 static_assert(check::capillary_law<archetype::prepared_capillary_law>);
 static_assert(CapillaryLaw<archetype::prepared_capillary_law>);
 static_assert(check::rupture_law<archetype::rupture_law> && RuptureLaw<archetype::rupture_law>);
+static_assert(check::viscous_bridge_law<archetype::viscous_bridge_law>);
+static_assert(ViscousBridgeLaw<archetype::viscous_bridge_law>);
 
 // Each offers one form only, and nothing optional.
 static_assert(!detail::Prepares<archetype::capillary_law, double> &&
@@ -33,6 +35,7 @@ inline constexpr bool bare = !std::default_initializable<Law> && !std::equality_
 static_assert(bare<archetype::normal_law> && bare<archetype::damping_law> && bare<archetype::friction_law>);
 static_assert(bare<archetype::friction_law_with_memory> && bare<archetype::capillary_law>);
 static_assert(bare<archetype::prepared_capillary_law> && bare<archetype::rupture_law>);
+static_assert(bare<archetype::viscous_bridge_law>);
 
 // The adapters must compile with no more than that.
 [[maybe_unused]] double adapted(const archetype::normal_law& normal, const archetype::capillary_law& simple,

@@ -39,6 +39,10 @@ static_assert(all(law::rupture_laws, []<class L>(L) {
   return RuptureLaw<type_of<L>> && plain<type_of<L>> && check::rupture_law<type_of<L>>;
 }));
 
+static_assert(all(law::viscous_bridge_laws, []<class L>(L) {
+  return ViscousBridgeLaw<type_of<L>> && plain<type_of<L>> && check::viscous_bridge_law<type_of<L>>;
+}));
+
 static_assert(sizeof(normal::linear) == 8 && sizeof(normal::hertz) == 16);
 static_assert(sizeof(damping::viscous) == 8 && sizeof(damping::viscous_on_approach) == 8);
 static_assert(sizeof(friction::viscous_coulomb) == 16 && sizeof(friction::viscous_coulomb_explicit) == 16);
@@ -56,16 +60,19 @@ static_assert(sizeof(capillary::richefeu::coefficients<double>) == 16);
 static_assert(HasCapillaryEnergy<capillary::richefeu> && HasCapillaryEnergy<capillary::richefeu_harmonic>);
 
 // The null policy plays no role.
-static_assert(!NormalLaw<none> && !DampingLaw<none> && !FrictionLaw<none> && !CapillaryLaw<none> && !RuptureLaw<none>);
+static_assert(!NormalLaw<none> && !DampingLaw<none> && !FrictionLaw<none> && !CapillaryLaw<none> && !RuptureLaw<none> &&
+              !ViscousBridgeLaw<none>);
 
 // No law plays two roles, so that a bundle may take them in any order.
 constexpr auto plays_one_role = []<class L>(L) {
   using law = type_of<L>;
-  return NormalLaw<law> + DampingLaw<law> + FrictionLaw<law> + CapillaryLaw<law> + RuptureLaw<law> == 1;
+  return NormalLaw<law> + DampingLaw<law> + FrictionLaw<law> + CapillaryLaw<law> + RuptureLaw<law> +
+             ViscousBridgeLaw<law> ==
+         1;
 };
 static_assert(all(law::normal_laws, plays_one_role) && all(law::damping_laws, plays_one_role));
 static_assert(all(law::friction_laws, plays_one_role) && all(law::capillary_laws, plays_one_role));
-static_assert(all(law::rupture_laws, plays_one_role));
+static_assert(all(law::rupture_laws, plays_one_role) && all(law::viscous_bridge_laws, plays_one_role));
 
 static_assert(fluid::water().surface_tension == 0.0728 && fluid::water().contact_angle == 0);
 

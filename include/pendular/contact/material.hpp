@@ -4,7 +4,7 @@
 #include <pendular/contact/energy_book.hpp>
 #include <pendular/contact/memory.hpp>
 #include <pendular/core/bundle.hpp>
-#include <pendular/law/concepts.hpp>
+#include <pendular/law/check.hpp>
 
 #include <tuple>
 #include <type_traits>
@@ -20,6 +20,20 @@ inline constexpr auto plays_book = []<class P>() { return std::is_same_v<P, ener
 template <class P>
 inline constexpr bool plays_in_material =
     NormalLaw<P> || DampingLaw<P> || FrictionLaw<P> || std::is_same_v<P, energy_book> || std::is_same_v<P, none>;
+
+/// Stops the compilation with the sentence of its ladder at a law that is one in double alone.
+template <class P>
+consteval bool climbs_its_ladder() {
+  if constexpr (NormalLaw<P>) {
+    return check::normal_law<P>;
+  } else if constexpr (DampingLaw<P>) {
+    return check::damping_law<P>;
+  } else if constexpr (FrictionLaw<P>) {
+    return check::friction_law<P>;
+  } else {
+    return true;
+  }
+}
 }  // namespace detail
 
 /// The dry contact of two grains: one normal law, and at most one damping law, one friction law and an `energy_book`,
@@ -35,6 +49,7 @@ class material {
                 "a material takes at most one damping law (docs/reference/material.md)");
   static_assert(detail::players<detail::plays_friction, Policies...>() <= 1,
                 "a material takes at most one friction law (docs/reference/material.md)");
+  static_assert((detail::climbs_its_ladder<Policies>() && ...));
 
  public:
   using normal_law = detail::player_t<detail::plays_normal, Policies...>;

@@ -115,4 +115,18 @@ class rupture_law {
   double share;
 };
 
+class viscous_bridge_law {
+ public:
+  explicit viscous_bridge_law(double share_of_viscosity) : share(share_of_viscosity) {}
+
+  template <Scalar T>
+  bridge_resistance<T> resistance(const bridge<T>& b, const fluid& f) const {
+    const T whole = T(share * f.viscosity) * cbrt(b.volume);
+    return {whole, T(0.5) * whole};
+  }
+
+ private:
+  double share;
+};
+
 }  // namespace pendular::testing::archetype

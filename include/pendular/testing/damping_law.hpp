@@ -9,11 +9,6 @@
 namespace pendular::testing {
 
 namespace detail {
-template <class L, class T>
-concept Resists = requires(const L law, const approach<T> a, const T stiffness) {
-  { law.resistance(a, stiffness) } -> std::convertible_to<T>;
-};
-
 template <DampingLaw Law>
 void demand_dissipation(report& broken, const Law& law, const approach<double>& a, double stiffness) {
   const double force = law.resistance(a, stiffness);
@@ -45,8 +40,8 @@ void demand_preparation(report& broken, const Law& law, const approach<double>& 
 
 template <class T, DampingLaw Law>
 void demand_damping_in(report& broken, const Law& law, std::string_view property) {
-  demand(broken, Resists<Law, T>, property, {});
-  if constexpr (Resists<Law, T>) {
+  demand(broken, pendular::detail::Resists<Law, T>, property, {});
+  if constexpr (pendular::detail::Resists<Law, T>) {
     const auto force = [&]<class U>(const approach<U>& a) { return law.resistance(a, U(1e3)); };
     demand_same_in<T>(broken, property, approach_samples(), force);
   }

@@ -10,20 +10,10 @@
 
 namespace pendular::testing {
 
-namespace detail {
-template <class L, class T>
-concept Rubs = requires(const L law, const slip<T> s, const T normal_force) {
-  { law.traction(s, normal_force) } -> std::convertible_to<Vec3<T>>;
-}
-|| requires(const L law, const slip<T> s, const T normal_force, contact_memory_t<L, T>& memory) {
-  { law.traction(s, normal_force, memory) } -> std::convertible_to<Vec3<T>>;
-};
-}  // namespace detail
-
 /// The traction of a law with or without memory; the memory of the second kind is empty.
 template <class Law, class T>
-  requires detail::Rubs<Law, T> Vec3<T> traction(const Law& law, const slip<T>& s, const T& normal_force,
-                                                 contact_memory_t<Law, T>& memory) {
+  requires pendular::detail::Rubs<Law, T> Vec3<T> traction(const Law& law, const slip<T>& s, const T& normal_force,
+                                                           contact_memory_t<Law, T>& memory) {
     if constexpr (pendular::detail::Remembers<Law, T>) {
       return law.traction(s, normal_force, memory);
     } else {
@@ -85,8 +75,8 @@ T dragged(const Law& law, const slip<T>& s) {
 
 template <class T, FrictionLaw Law>
 void demand_friction_in(report& broken, const Law& law, std::string_view property) {
-  demand(broken, Rubs<Law, T>, property, {});
-  if constexpr (Rubs<Law, T>) {
+  demand(broken, pendular::detail::Rubs<Law, T>, property, {});
+  if constexpr (pendular::detail::Rubs<Law, T>) {
     const auto force = [&]<class U>(const slip<U>& s) { return dragged<U>(law, s); };
     demand_same_in<T>(broken, property, slip_samples(), force);
   }

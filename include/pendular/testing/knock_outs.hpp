@@ -165,6 +165,24 @@ struct returns_nothing {
 };
 }  // namespace rupture
 
+namespace viscous {
+struct not_copyable : uncopyable {
+  bridge_resistance<double> resistance(const bridge<double>&, const fluid&) const { return {}; }
+};
+struct without_resistance {
+  bridge_resistance<double> drag(const bridge<double>&, const fluid&) const { return {}; }
+};
+struct not_const {
+  bridge_resistance<double> resistance(const bridge<double>&, const fluid&) { return {}; }
+};
+struct without_fluid {
+  bridge_resistance<double> resistance(const bridge<double>&) const { return {}; }
+};
+struct returns_one_number {
+  double resistance(const bridge<double>&, const fluid&) const { return 0; }
+};
+}  // namespace viscous
+
 namespace energy {
 struct of_no_law {
   double energy(const bridge<double>&, const fluid&, double) const { return 0; }
@@ -202,6 +220,9 @@ inline constexpr auto capillary_laws =
 inline constexpr auto rupture_laws =
     boost::hana::tuple_t<rupture::not_copyable, rupture::without_distance, rupture::not_const, rupture::without_fluid,
                          rupture::returns_nothing>;
+inline constexpr auto viscous_bridge_laws =
+    boost::hana::tuple_t<viscous::not_copyable, viscous::without_resistance, viscous::not_const, viscous::without_fluid,
+                         viscous::returns_one_number>;
 inline constexpr auto capillary_energies =
     boost::hana::tuple_t<energy::of_no_law, energy::without_energy, energy::without_rupture_distance, energy::not_const,
                          energy::returns_nothing>;

@@ -7,3 +7,4 @@
 #include <pendular/testing/friction_law.hpp>
 #include <pendular/testing/normal_law.hpp>
 #include <pendular/testing/rupture_law.hpp>
+#include <pendular/testing/viscous_bridge_law.hpp>

@@ -12,10 +12,6 @@
 namespace pendular::testing {
 
 namespace detail {
-template <class L, class T>
-concept Repels = requires(const L law, const approach<T> a) {
-  { law.repulsion(a) } -> std::convertible_to<T>;
-};
 template <class L>
 concept HasNormalEnergy = requires(const L law, const approach<double> a) {
   { law.energy(a) } -> std::convertible_to<double>;
@@ -52,7 +48,7 @@ void demand_symmetry(report& broken, const Law& law, const approach<double>& a) 
 }
 
 template <NormalLaw Law>
-  requires Repels<Law, dual> || pendular::detail::KnowsStiffness<Law, double>
+  requires pendular::detail::Repels<Law, dual> || pendular::detail::KnowsStiffness<Law, double>
 void demand_stiffness(report& broken, const Law& law, const approach<double>& a) {
   if (a.gap >= 0) return;
   const double step = 1e-4 * a.gap;
@@ -83,8 +79,8 @@ void demand_energy(report& broken, const Law& law, const approach<double>& a) {
 
 template <class T, NormalLaw Law>
 void demand_normal_in(report& broken, const Law& law, std::string_view property) {
-  demand(broken, Repels<Law, T>, property, {});
-  if constexpr (Repels<Law, T>) {
+  demand(broken, pendular::detail::Repels<Law, T>, property, {});
+  if constexpr (pendular::detail::Repels<Law, T>) {
     const auto push = [&](const auto& a) { return law.repulsion(a); };
     demand_same_in<T>(broken, property, approach_samples(), push);
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/core/expects.hpp>
-
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -22,15 +22,39 @@ struct quantity {
   double value;
 };
 
+namespace detail {
+inline std::string number(double value, int digits) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+  return {text.data(), end};
+}
+
+/// As many digits as it takes to tell different values apart.
+inline int digits_for(std::initializer_list<quantity> example) {
+  const auto look_alike = [&](int digits) {
+    for (const quantity& a : example) {
+      for (const quantity& b : example) {
+        if (a.value < b.value && number(a.value, digits) == number(b.value, digits)) return true;
+      }
+    }
+    return false;
+  };
+  int digits = 6;
+  while (digits < 17 && look_alike(digits)) ++digits;
+  return digits;
+}
+}  // namespace detail
+
 /// Records the first counterexample to a property and ignores the others.
 inline void demand(report& broken, bool holds, std::string_view property, std::initializer_list<quantity> example) {
   if (holds) return;
   const auto known = [property](const std::string& line) { return line.starts_with(property); };
   if (std::any_of(broken.begin(), broken.end(), known)) return;
   std::string line(property);
+  const int digits = detail::digits_for(example);
   std::string_view separator = ": ";
   for (const quantity& q : example) {
-    line += std::string(separator) + std::string(q.name) + " = " + pendular::detail::number(q.value);
+    line += std::string(separator) + std::string(q.name) + " = " + detail::number(q.value, digits);
     separator = ", ";
   }
   broken.push_back(line);

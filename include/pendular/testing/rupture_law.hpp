@@ -9,11 +9,6 @@
 namespace pendular::testing {
 
 namespace detail {
-template <class L, class T>
-concept Breaks = requires(const L law, const bridge<T> b, const fluid f) {
-  { law.distance(b, f) } -> std::convertible_to<T>;
-};
-
 template <RuptureLaw Law>
 void demand_distance(report& broken, const Law& law, const bridge<double>& b, const fluid& f) {
   const double here = law.distance(b, f);
@@ -45,8 +40,8 @@ void demand_rupture_invariance(report& broken, const Law& law, const bridge<doub
 
 template <class T, RuptureLaw Law>
 void demand_rupture_in(report& broken, const Law& law, const fluid& f, std::string_view property) {
-  demand(broken, Breaks<Law, T>, property, {});
-  if constexpr (Breaks<Law, T>) {
+  demand(broken, pendular::detail::Breaks<Law, T>, property, {});
+  if constexpr (pendular::detail::Breaks<Law, T>) {
     const auto distance = [&](const auto& b) { return law.distance(b, f); };
     demand_same_in<T>(broken, property, bridge_samples(validity_of<Law>()), distance);
   }

@@ -101,17 +101,20 @@ constexpr double granted_error_of() {
 template <class T>
 inline constexpr double granted_zero = std::is_same_v<element_t<T>, float> ? tiny : 1e-290;
 
-/// `evaluate(input<T>) -> T` must give what `evaluate(input<double>)` gives, lane by lane.
-template <class T, class Input, class Evaluate>
+inline constexpr auto no_rounding = [](const auto&) { return 0.0; };
+
+/// `evaluate(input<T>) -> T` must give what `evaluate(input<double>)` gives, lane by lane, up to a relative error and
+/// what `rounding(input<double>)` allows.
+template <class T, class Input, class Evaluate, class Rounding = decltype(no_rounding)>
 void demand_same_in(report& broken, std::string_view property, const std::vector<Input>& samples,
-                    const Evaluate& evaluate, double granted = granted_error<T>) {
+                    const Evaluate& evaluate, double granted = granted_error<T>, const Rounding& rounding = {}) {
   for (std::size_t first = 0; first < samples.size(); first += width<T>) {
     const T result = evaluate(gathered<T>(samples, first));
     for (std::size_t lane = 0; lane < width<T>; ++lane) {
       const std::size_t k = (first + lane) % samples.size();
       const double expected = evaluate(samples[k]);
       const double found = number(result, lane);
-      demand(broken, agree(found, expected, granted, granted_zero<T>), property,
+      demand(broken, agree(found, expected, granted, std::max(rounding(samples[k]), granted_zero<T>)), property,
              {{"sample", double(k)}, {"found", found}, {"in double", expected}});
     }
   }

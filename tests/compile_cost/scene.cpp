@@ -6,12 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/AutoDiff>
 
-#include <boost/hana/ext/std/tuple.hpp>
 #include <boost/hana/filter.hpp>
-#include <boost/hana/transform.hpp>
+#include <boost/hana/fold_right.hpp>
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/type.hpp>
-#include <boost/hana/unpack.hpp>
 
 #include <algorithm>
 #include <cstddef>

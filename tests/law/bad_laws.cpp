@@ -44,6 +44,7 @@ TEST_CASE("the normal kit finds a broken promise") {
       testing::normal_law_report(spring_that_mixes_lanes{}),
       {"the repulsion must be the same in lanes of double", "the repulsion must be the same in lanes of float"});
   check_found(testing::normal_law_report(spring_said_to_be_linear{}), {"a stiffness said to be constant"});
+  check_found(testing::normal_law_report(spring_that_never_forgets{}), {"what a normal law remembers must be zero"});
   const report blown_up = testing::normal_law_report(spring_that_blows_up{});
   CHECK(blown_up.front().starts_with("the repulsion must be finite"));
 }
@@ -66,6 +67,7 @@ TEST_CASE("the damping kit finds a broken promise") {
                              "the resistance must be zero at zero speed",
                              "the resistance must not change when i and j are exchanged"});
   check_found(testing::damping_law_report(dashpot_prepared_wrongly{}), {"the prepared resistance must be that"});
+  check_found(testing::damping_law_report(dashpot_that_never_forgets{}), {"what a damping law remembers must be zero"});
   CHECK(testing::damping_law_report(dashpot_in_double_only{}).size() == 4);
 }
 

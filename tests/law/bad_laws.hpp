@@ -96,6 +96,30 @@ struct dashpot_prepared_wrongly : bad_dashpot {
     return made_before.coefficient * a.closing_speed * unit_step(-a.gap);
   }
 };
+/// Lets a new contact begin with what the last one was.
+struct dashpot_that_never_forgets {
+  template <class T>
+  struct contact_memory {
+    T fastest;
+  };
+  template <Scalar T>
+  T resistance(const approach<T>& a, const T&, contact_memory<T>& memory) const {
+    memory.fastest = max(memory.fastest, a.closing_speed);
+    return memory.fastest * a.closing_speed * unit_step(T(-a.gap));
+  }
+};
+struct spring_that_never_forgets {
+  template <class T>
+  struct contact_memory {
+    T deepest;
+  };
+  template <Scalar T>
+  T repulsion(const approach<T>& a, contact_memory<T>& memory) const {
+    const T overlap = max(T(-a.gap), T(0));
+    memory.deepest = max(memory.deepest, overlap);
+    return max(T(T(2) * overlap - memory.deepest), T(0));
+  }
+};
 struct dashpot_in_double_only {
   double resistance(const approach<double>& a, double) const { return a.closing_speed * unit_step(-a.gap); }
 };

@@ -6,11 +6,14 @@ using namespace kits;
 TEST_CASE("every normal law keeps its promises") {
   require_sound(law::normal_laws, [](const auto& l) { return testing::normal_law_report(l); });
   CHECK(testing::normal_law_report(testing::archetype::normal_law(1e3)).empty());
+  CHECK(testing::normal_law_report(testing::archetype::normal_law_with_memory(1e3)).empty());
 }
 
 TEST_CASE("every damping law keeps its promises") {
   require_sound(law::damping_laws, [](const auto& l) { return testing::damping_law_report(l); });
   CHECK(testing::damping_law_report(testing::archetype::damping_law(0.1)).empty());
+  CHECK(testing::damping_law_report(testing::archetype::damping_law_beside_spring(0.1)).empty());
+  CHECK(testing::damping_law_report(testing::archetype::damping_law_with_memory(0.1)).empty());
 }
 
 TEST_CASE("every friction law keeps its promises") {

@@ -30,6 +30,10 @@ struct of<damping::viscous_on_approach> {
   static constexpr damping::viscous_on_approach value{0.8};
 };
 template <>
+struct of<damping::clamped<damping::viscous>> {
+  static constexpr damping::clamped value{damping::viscous{0.8}};
+};
+template <>
 struct of<friction::viscous_coulomb> {
   static constexpr friction::viscous_coulomb value{1.0, 0.4};
 };

@@ -4,6 +4,7 @@
 // expect 3: repulsion must return the scalar type of its approach
 // expect 4: a normal law must take every scalar, not double alone
 // expect 5: repulsion must return the scalar type of its approach: write T
+// expect 6: with a second argument `contact_memory<T>&`, a nested template, if it remembers
 #include <pendular/law/check.hpp>
 
 using namespace pendular;
@@ -36,3 +37,26 @@ struct my_law {
 };
 
 static_assert(check::normal_law<my_law>);
+
+struct my_law_with_memory {
+#if PENDULAR_MISTAKE == 6
+  template <class T>
+  struct memory {
+    T deepest;
+  };
+  template <Scalar T>
+  T repulsion(const approach<T>& a, memory<T>& own) const {
+    return max(T(-a.gap), own.deepest);
+  }
+#else
+  template <class T>
+  struct contact_memory {
+    T deepest;
+  };
+  template <Scalar T>
+  T repulsion(const approach<T>& a, contact_memory<T>& own) const {
+    return max(T(-a.gap), own.deepest);
+  }
+#endif
+};
+static_assert(check::normal_law<my_law_with_memory>);

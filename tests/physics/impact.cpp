@@ -5,6 +5,8 @@
 // Chung and Ooi 2011.
 #include "scenes.hpp"
 
+#include <pendular/law/damping/clamped.hpp>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -13,18 +15,6 @@ using namespace pendular;
 using namespace scenes;
 
 namespace {
-
-/// A user's law: the two-sided dashpot that never makes a linear contact attractive.
-struct clamped_dashpot {
-  double damping_rate;
-  template <Scalar T>
-  T resistance(const approach<T>& a, const T& stiffness) const {
-    const T touching = unit_step(T(-a.gap));
-    const T root = pendular::sqrt(T(a.reduced_mass * stiffness));
-    const T dashpot = T(2.0 * damping_rate) * root * a.closing_speed;
-    return touching * pendular::max(dashpot, T(stiffness * a.gap));
-  }
-};
 
 constexpr double radius = 0.5e-3, density = 2600, stiffness_n = 1e3, speed = 0.1;
 constexpr int phases = 64;
@@ -111,7 +101,38 @@ TEST_CASE("restitution of three dampings is that of the closed form, for pairs a
   for (const row& r : table) {
     check_restitution(damping::viscous_on_approach{r.rate}, r.rate, r.approach_only);
     check_restitution(damping::viscous{r.rate}, r.rate, r.two_sided);
-    check_restitution(clamped_dashpot{r.rate}, r.rate, r.clamped);
+    check_restitution(damping::clamped{damping::viscous{r.rate}}, r.rate, r.clamped);
+  }
+}
+
+// Forces as they act, looked at in every step; the two-sided dashpot pulls while grains part.
+TEST_CASE("under a clamped dashpot no dry contact attracts, of unequal grains or at a wall, linear or Hertz") {
+  const auto least_force = [](const auto& spring, const auto& damping, double time_step) {
+    pendular::system s{material{spring, damping}, floor_plane(), velocity_verlet{time_step},
+                       run_options{.force = true}};
+    s.add({{0, 0, radius + 1e-9}, radius, density, {0, 0, -speed}});
+    s.add({{10e-3, 0, 5e-3}, radius, density, {speed, 0, 0}});
+    s.add({{10e-3 + 2.5 * radius + 1e-9, 0, 5e-3}, 1.5 * radius, density, {-0.5 * speed, 0, 0}});
+    double pair = 0, wall = 0;
+    for (int step = 0; step < 4000; ++step) {
+      s.run(1);
+      if (s.view().pairs > 0) pair = std::min(pair, -s.contacts().force(0).x);
+      s.for_each_wall([&](const auto&, const auto& contacts) {
+        if (contacts.size() > 0) wall = std::min(wall, contacts.force(0).z);
+      });
+    }
+    REQUIRE(position(s, 0).z > radius);
+    REQUIRE(gap_of(s, 1, 2) > 0);
+    return std::array{pair, wall};
+  };
+  for (const double rate : {0.3, 0.8}) {
+    const damping::viscous two_sided{rate};
+    const normal::linear linear{stiffness_n};
+    const normal::hertz hertz{1e7, 0.25};
+    CHECK(least_force(linear, damping::clamped{two_sided}, 2e-7) == std::array{0.0, 0.0});
+    CHECK(least_force(hertz, damping::clamped{two_sided}, 2e-7) == std::array{0.0, 0.0});
+    const auto pulls = least_force(linear, two_sided, 2e-7), pulls_too = least_force(hertz, two_sided, 2e-7);
+    CHECK((pulls[0] < -1e-6 && pulls[1] < -1e-6 && pulls_too[0] < -1e-6 && pulls_too[1] < -1e-6));
   }
 }
 

@@ -58,8 +58,9 @@ void digest_laws() {
     digest_law(typeid(L).name(), testing::approach_samples(), [&](const auto& a) { return law.repulsion(a); });
   });
   for_each_law(law::damping_laws, []<class L>(const L& law) {
-    digest_law(typeid(L).name(), testing::approach_samples(),
-               [&](const auto& a) { return law.resistance(a, block(1e3)); });
+    digest_law(typeid(L).name(), testing::approach_samples(), [&](const auto& a) {
+      return resistance(law, a, elastic<block>{block(1e3) * max(block(-a.gap), block(0)), block(1e3)});
+    });
   });
   for_each_law(law::capillary_laws, []<class L>(const L& law) {
     digest_law(typeid(L).name(), testing::bridge_samples(validity_of<L>()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The concepts accept the least they ask for.
 #include <pendular/law/check.hpp>
+#include <pendular/law/damping/viscous_on_approach.hpp>
 #include <pendular/law/prepared.hpp>
 #include <pendular/law/stiffness.hpp>
 #include <pendular/testing/archetypes.hpp>
@@ -14,6 +15,9 @@ namespace {
 
 static_assert(check::normal_law<archetype::normal_law> && NormalLaw<archetype::normal_law>);
 static_assert(check::damping_law<archetype::damping_law> && DampingLaw<archetype::damping_law>);
+static_assert(check::damping_law<archetype::damping_law_beside_spring>);
+static_assert(check::damping_law<archetype::damping_law_with_memory>);
+static_assert(check::normal_law<archetype::normal_law_with_memory>);
 static_assert(check::friction_law<archetype::friction_law> && FrictionLaw<archetype::friction_law>);
 static_assert(check::friction_law<archetype::friction_law_with_memory>);
 static_assert(FrictionLaw<archetype::friction_law_with_memory>);
@@ -35,7 +39,13 @@ inline constexpr bool bare = !std::default_initializable<Law> && !std::equality_
 static_assert(bare<archetype::normal_law> && bare<archetype::damping_law> && bare<archetype::friction_law>);
 static_assert(bare<archetype::friction_law_with_memory> && bare<archetype::capillary_law>);
 static_assert(bare<archetype::prepared_capillary_law> && bare<archetype::rupture_law>);
-static_assert(bare<archetype::viscous_bridge_law>);
+static_assert(bare<archetype::viscous_bridge_law> && bare<archetype::damping_law_beside_spring>);
+static_assert(bare<archetype::damping_law_with_memory> && bare<archetype::normal_law_with_memory>);
+
+// A second argument of any type takes a stiffness, and is handed one.
+static_assert(!detail::ResistsBeside<damping::viscous_on_approach, double> &&
+              !detail::ResistsBeside<archetype::damping_law, double> &&
+              detail::ResistsBeside<archetype::damping_law_beside_spring, double>);
 
 // The adapters must compile with no more than that.
 [[maybe_unused]] double adapted(const archetype::normal_law& normal, const archetype::capillary_law& simple,

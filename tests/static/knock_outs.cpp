@@ -34,6 +34,23 @@ struct normal_twin {
 struct damping_twin {
   double resistance(const approach<double>& a, double k) const { return k * a.closing_speed; }
 };
+struct damping_twin_beside_spring {
+  double resistance(const approach<double>& a, const elastic<double>& e) const { return e.push * a.closing_speed; }
+};
+struct damping_twin_with_memory {
+  template <class T>
+  struct contact_memory {
+    T fastest;
+  };
+  double resistance(const approach<double>&, double k, contact_memory<double>& m) const { return k * m.fastest; }
+};
+struct normal_twin_with_memory {
+  template <class T>
+  struct contact_memory {
+    T deepest;
+  };
+  double repulsion(const approach<double>& a, contact_memory<double>& m) const { return m.deepest - a.gap; }
+};
 struct friction_twin {
   Vec3<double> traction(const slip<double>& s, double) const { return -s.velocity; }
 };
@@ -63,7 +80,8 @@ struct viscous_twin {
 static_assert(NormalLaw<normal_twin> && DampingLaw<damping_twin> && FrictionLaw<friction_twin>);
 static_assert(FrictionLaw<friction_twin_with_memory> && RuptureLaw<rupture_twin>);
 static_assert(CapillaryLaw<capillary_twin> && HasCapillaryEnergy<capillary_twin> && CapillaryLaw<prepared_twin>);
-static_assert(ViscousBridgeLaw<viscous_twin>);
+static_assert(ViscousBridgeLaw<viscous_twin> && DampingLaw<damping_twin_beside_spring>);
+static_assert(DampingLaw<damping_twin_with_memory> && NormalLaw<normal_twin_with_memory>);
 
 // Laws in double only model their concept and are found by the ladder.
 namespace narrow = knock_out::in_double_only;
@@ -71,6 +89,10 @@ static_assert(NormalLaw<narrow::normal_law> && !detail::repels_in_every_scalar<n
 static_assert(DampingLaw<narrow::damping_law> && !detail::resists_in_every_scalar<narrow::damping_law>);
 static_assert(DampingLaw<narrow::damping_law_by_its_preparation> &&
               !detail::resists_in_every_scalar<narrow::damping_law_by_its_preparation>);
+static_assert(DampingLaw<narrow::damping_law_beside_spring> &&
+              !detail::resists_in_every_scalar<narrow::damping_law_beside_spring>);
+static_assert(NormalLaw<narrow::normal_law_with_memory> &&
+              !detail::repels_in_every_scalar<narrow::normal_law_with_memory>);
 static_assert(FrictionLaw<narrow::friction_law> && !detail::rubs_in_every_scalar<narrow::friction_law>);
 static_assert(FrictionLaw<narrow::friction_law_with_memory> &&
               !detail::rubs_in_every_scalar<narrow::friction_law_with_memory>);
@@ -90,6 +112,9 @@ static_assert(DampingLaw<loose::damping_law> && detail::resists_in_every_scalar<
 static_assert(DampingLaw<loose::damping_law_by_its_preparation> &&
               detail::resists_in_every_scalar<loose::damping_law_by_its_preparation> &&
               !detail::resists_exactly<loose::damping_law_by_its_preparation>);
+static_assert(DampingLaw<loose::damping_law_beside_spring> &&
+              detail::resists_in_every_scalar<loose::damping_law_beside_spring> &&
+              !detail::resists_exactly<loose::damping_law_beside_spring>);
 static_assert(FrictionLaw<loose::friction_law> && detail::rubs_in_every_scalar<loose::friction_law> &&
               !detail::rubs_exactly<loose::friction_law>);
 static_assert(CapillaryLaw<loose::capillary_law> && detail::attracts_in_every_scalar<loose::capillary_law> &&

@@ -3,6 +3,7 @@
 
 #include <pendular/contact/material.hpp>
 #include <pendular/core/fields.hpp>
+#include <pendular/law/resistance.hpp>
 #include <pendular/law/stiffness.hpp>
 
 namespace pendular {
@@ -40,20 +41,16 @@ void follow(Vec3<T>& memory, const Vec3<T>& normal, const T& twist) {
 }
 
 namespace detail {
+/// Every vector of a memory, those of its members included.
 template <class T, class Memory>
 void follow_all(Memory& memory, const Vec3<T>& normal, const T& twist) {
-  for_each_field(memory, [&](auto& member) {
-    if constexpr (std::is_same_v<std::remove_reference_t<decltype(member)>, Vec3<T>>) follow(member, normal, twist);
+  for_each_field(memory, [&]<class Member>(Member& member) {
+    if constexpr (std::is_same_v<Member, Vec3<T>>) {
+      follow(member, normal, twist);
+    } else if constexpr (!std::is_same_v<Member, T>) {
+      follow_all(member, normal, twist);
+    }
   });
-}
-
-template <class T, class Friction, class Memory>
-Vec3<T> traction(const Friction& law, const slip<T>& s, const T& normal_force, Memory& memory) {
-  if constexpr (Remembers<Friction, T>) {
-    return law.traction(s, normal_force, memory);
-  } else {
-    return law.traction(s, normal_force);
-  }
 }
 }  // namespace detail
 
@@ -75,13 +72,43 @@ contact_constants<T> constants_of(const Material& material, const T& reduced_mas
 }
 
 namespace detail {
-template <class T, class Material>
-T damping(const Material& material, const approach<T>& a, const prepared_dashpot<T>& prepared) {
-  if constexpr (Material::prepares_dashpot) {
-    return material.damping().resistance(a, prepared);
+/// Tangent of the spring, where the dashpot is not prepared. To be asked before the push, which may change the memory.
+template <class T, class Material, class Memory>
+T tangent(const Material& material, const approach<T>& a, const Memory& memory) {
+  if constexpr (Material::has_damping && !Material::prepares_dashpot) {
+    using law = typename Material::normal_law;
+    return ask_with<law, T>([&](const auto&... own) { return stiffness(material.normal(), a, own...); },
+                            part_of<law>(memory));
   } else {
-    return material.damping().resistance(a, stiffness(material.normal(), a));
+    return T(0);
   }
+}
+
+template <class T, class Material, class Memory>
+T repulsion(const Material& material, const approach<T>& a, Memory& memory) {
+  using law = typename Material::normal_law;
+  return ask_with<law, T>([&](auto&... own) -> T { return material.normal().repulsion(a, own...); },
+                          part_of<law>(memory));
+}
+
+template <class T, class Material, class Memory>
+T damping(const Material& material, const approach<T>& a, const elastic<T>& spring, const prepared_dashpot<T>& prepared,
+          Memory& memory) {
+  using law = typename Material::damping_law;
+  if constexpr (Material::prepares_dashpot) {
+    return ask_with<law, T>([&](auto&... own) -> T { return material.damping().resistance(a, prepared, own...); },
+                            part_of<law>(memory));
+  } else {
+    return resistance(material.damping(), a, spring, part_of<law>(memory));
+  }
+}
+
+template <class T, class Material, class Memory>
+Vec3<T> traction(const Material& material, const slip<T>& s, const T& normal_force, Memory& memory) {
+  using law = typename Material::friction_law;
+  return ask_with<law, T>(
+      [&](auto&... own) -> Vec3<T> { return material.friction().traction(s, normal_force, own...); },
+      part_of<law>(memory));
 }
 }  // namespace detail
 
@@ -90,18 +117,21 @@ T damping(const Material& material, const approach<T>& a, const prepared_dashpot
 template <class T, class Material, class Memory>
 contact_force<T> touch(const Material& material, const encounter<T>& e, const prepared_dashpot<T>& prepared,
                        Memory& memory, double time_step) {
-  const T elastic = material.normal().repulsion(e.approaching);
-  contact_force<T> result{elastic, T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
+  if constexpr (Material::has_memory) {
+    detail::follow_all(memory, e.normal, Material::has_friction ? e.twist : T(0));
+  }
+  const T tangent = detail::tangent(material, e.approaching, memory);
+  const T push = detail::repulsion(material, e.approaching, memory);
+  contact_force<T> result{push, T(0), {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
   if constexpr (Material::has_damping) {
-    result.damping = detail::damping(material, e.approaching, prepared);
-    result.push = elastic + result.damping;
+    result.damping = detail::damping(material, e.approaching, elastic<T>{push, tangent}, prepared, memory);
+    result.push = push + result.damping;
   }
   if constexpr (Material::has_friction) {
     result.slip_rate = tangential_part(e.velocity, e.normal) + e.rolling;
     const slip<T> s{result.slip_rate, e.normal, e.tangential_mass, e.contacts, time_step};
     const T normal_force = max(result.push, T(0));
-    if constexpr (Material::has_memory) detail::follow_all(memory, e.normal, e.twist);
-    result.traction = detail::traction(material.friction(), s, normal_force, memory);
+    result.traction = detail::traction(material, s, normal_force, memory);
   }
   return result;
 }

@@ -58,10 +58,11 @@ class material {
 
   static constexpr bool has_damping = DampingLaw<damping_law>;
   static constexpr bool has_friction = FrictionLaw<friction_law>;
-  static constexpr bool prepares_dashpot = detail::PreparesDashpot<damping_law> && requires {
+  static constexpr bool prepares_dashpot =
+      detail::PreparesDashpot<damping_law> && !detail::ResistsBeside<damping_law, double> && requires {
     requires normal_law::has_constant_stiffness;
   };
-  static constexpr bool has_memory = detail::Remembers<friction_law, double>;
+  static constexpr bool has_memory = (detail::Remembers<Policies, double> || ...);
   static constexpr bool counts_contacts = requires { requires friction_law::counts_contacts; };
   static constexpr bool keeps_energy_book = detail::players<detail::plays_book, Policies...>() > 0;
 

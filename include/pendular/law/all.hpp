@@ -14,6 +14,7 @@
 #include <pendular/law/capillary/weigert_ripperger.hpp>
 #include <pendular/law/capillary/willett.hpp>
 #include <pendular/law/capillary/willett_closed_form.hpp>
+#include <pendular/law/damping/clamped.hpp>
 #include <pendular/law/damping/none.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/damping/viscous_on_approach.hpp>
@@ -36,7 +37,8 @@ namespace pendular::law {
 
 // Every shipped law, so that tests and reports iterate them; a new law is added by one line here.
 inline constexpr auto normal_laws = boost::hana::tuple_t<normal::linear, normal::hertz>;
-inline constexpr auto damping_laws = boost::hana::tuple_t<damping::viscous, damping::viscous_on_approach>;
+inline constexpr auto damping_laws =
+    boost::hana::tuple_t<damping::viscous, damping::viscous_on_approach, damping::clamped<damping::viscous>>;
 inline constexpr auto friction_laws =
     boost::hana::tuple_t<friction::viscous_coulomb, friction::viscous_coulomb_explicit, friction::coulomb_spring>;
 inline constexpr auto capillary_laws =

@@ -21,7 +21,8 @@ consteval bool is_normal_law() {
     static_assert(detail::never<L>, "a normal law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::repulsion_t<L, double>; }) {
-    static_assert(detail::never<L>, "a normal law needs `template <Scalar T> T repulsion(const approach<T>&) const` "
+    static_assert(detail::never<L>, "a normal law needs `template <Scalar T> T repulsion(const approach<T>&) const`, "
+                                    "with a second argument `contact_memory<T>&`, a nested template, if it remembers "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!detail::repels_in_every_scalar<L>) {
     static_assert(detail::never<L>, "a normal law must take every scalar, not double alone, because contacts are "
@@ -36,12 +37,17 @@ consteval bool is_normal_law() {
 
 template <class L>
 consteval bool is_damping_law() {
+  constexpr bool takes_stiffness = requires { typename detail::resistance_t<L, double>; };
+  constexpr bool takes_elastic = requires { typename detail::resistance_beside_t<L, double>; };
   if constexpr (!std::copyable<L>) {
     static_assert(detail::never<L>, "a damping law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
-  } else if constexpr (!requires { typename detail::resistance_t<L, double>; }) {
-    static_assert(detail::never<L>, "a damping law needs `template <Scalar T> T resistance(const approach<T>&, "
-                                    "const T& stiffness) const` (docs/reference/concepts.md)");
+  } else if constexpr (!takes_stiffness && !takes_elastic) {
+    static_assert(detail::never<L>,
+                  "a damping law needs `template <Scalar T> T resistance(const approach<T>&, "
+                  "const T& stiffness) const`, or `const elastic<T>&` in place of the stiffness, with "
+                  "a last argument `contact_memory<T>&`, a nested template, if it remembers "
+                  "(docs/reference/concepts.md)");
   } else if constexpr (!detail::resists_in_every_scalar<L>) {
     static_assert(detail::never<L>, "a damping law must take every scalar, not double alone, because contacts are "
                                     "evaluated in lanes of eight: write `template <Scalar T>` before `T resistance`, "

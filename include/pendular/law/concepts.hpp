@@ -10,12 +10,15 @@
 namespace pendular {
 
 namespace detail {
+struct no_memory {};
+
+/// A law that wraps another hands on its memory as contact_memory_t, which is no_memory if there is none.
 template <class L, class T>
 concept Remembers = requires {
   typename L::template contact_memory<T>;
+  requires !std::is_same_v<typename L::template contact_memory<T>, no_memory>;
 };
 
-struct no_memory {};
 template <class L, class T>
 struct memory_of {
   using type = no_memory;
@@ -32,17 +35,51 @@ template <class L, class T>
 using contact_memory_t = typename detail::memory_of<L, T>::type;
 
 namespace detail {
-// What a law answers if it is asked in T; no type if it cannot be asked.
-template <class L, class T>
-using repulsion_t = decltype(std::declval<const L&>().repulsion(std::declval<const approach<T>&>()));
-template <class L, class T>
-using resistance_t =
-    decltype(std::declval<const L&>().resistance(std::declval<const approach<T>&>(), std::declval<const T&>()));
+/// Answer<L, T, memory> for a law that remembers, Answer<L, T> for others.
+template <template <class, class, class...> class Answer, class L, class T>
+struct with_own_memory {};
+template <template <class, class, class...> class Answer, class L, class T>
+  requires(!Remembers<L, T>)
+&&requires { typename Answer<L, T>; }
+struct with_own_memory<Answer, L, T> {
+  using type = Answer<L, T>;
+};
+template <template <class, class, class...> class Answer, class L, class T>
+  requires Remembers<L, T> && requires { typename Answer<L, T, contact_memory_t<L, T>>; }
+struct with_own_memory<Answer, L, T> {
+  using type = Answer<L, T, contact_memory_t<L, T>>;
+};
+
+// What a law answers if it is asked in T; no type if it cannot be asked. A memory comes last.
+template <class L, class T, class... Memory>
+using repulsion_by =
+    decltype(std::declval<const L&>().repulsion(std::declval<const approach<T>&>(), std::declval<Memory&>()...));
+template <class L, class T, class... Memory>
+using resistance_by = decltype(std::declval<const L&>().resistance(
+    std::declval<const approach<T>&>(), std::declval<const T&>(), std::declval<Memory&>()...));
+template <class L, class T, class... Memory>
+using resistance_beside_by = decltype(std::declval<const L&>().resistance(
+    std::declval<const approach<T>&>(), std::declval<const elastic<T>&>(), std::declval<Memory&>()...));
 template <class L, class T>
 using dashpot_t = decltype(std::declval<const L&>().prepare(std::declval<const T&>(), std::declval<const T&>()));
+template <class L, class T, class... Memory>
+using prepared_resistance_by = decltype(std::declval<const L&>().resistance(
+    std::declval<const approach<T>&>(), std::declval<dashpot_t<L, T>>(), std::declval<Memory&>()...));
+template <class L, class T, class... Memory>
+using traction_by = decltype(std::declval<const L&>().traction(std::declval<const slip<T>&>(), std::declval<const T&>(),
+                                                               std::declval<Memory&>()...));
+
 template <class L, class T>
-using prepared_resistance_t =
-    decltype(std::declval<const L&>().resistance(std::declval<const approach<T>&>(), std::declval<dashpot_t<L, T>>()));
+using repulsion_t = typename with_own_memory<repulsion_by, L, T>::type;
+template <class L, class T>
+using resistance_t = typename with_own_memory<resistance_by, L, T>::type;
+template <class L, class T>
+using resistance_beside_t = typename with_own_memory<resistance_beside_by, L, T>::type;
+template <class L, class T>
+using prepared_resistance_t = typename with_own_memory<prepared_resistance_by, L, T>::type;
+template <class L, class T>
+using traction_t = typename with_own_memory<traction_by, L, T>::type;
+
 template <class L, class T>
 using distance_t =
     decltype(std::declval<const L&>().distance(std::declval<const bridge<T>&>(), std::declval<const fluid&>()));
@@ -59,30 +96,14 @@ template <class L, class T>
 using prepared_attraction_t =
     decltype(std::declval<const L&>().attraction(std::declval<const T&>(), std::declval<coefficients_in_t<L, T>>()));
 
-template <class L, class T>
-struct traction_of {};
-template <class L, class T>
-  requires(!Remembers<L, T>)
-&&requires(const L law, const slip<T> s, const T n) { law.traction(s, n); }
-struct traction_of<L, T> {
-  using type = decltype(std::declval<const L&>().traction(std::declval<const slip<T>&>(), std::declval<const T&>()));
-};
-template <class L, class T>
-  requires Remembers<L, T> && requires(const L law, const slip<T> s, const T n, contact_memory_t<L, T>& memory) {
-    law.traction(s, n, memory);
-  }
-struct traction_of<L, T> {
-  using type = decltype(std::declval<const L&>().traction(std::declval<const slip<T>&>(), std::declval<const T&>(),
-                                                          std::declval<contact_memory_t<L, T>&>()));
-};
-template <class L, class T>
-using traction_t = typename traction_of<L, T>::type;
-
 /// The roles in one scalar.
 template <class L, class T>
 concept Repels = std::convertible_to<repulsion_t<L, T>, T>;
 template <class L, class T>
 concept Resists = std::convertible_to<resistance_t<L, T>, T>;
+/// Only where the stiffness is not enough, since a second argument of any type takes an `elastic`, too.
+template <class L, class T>
+concept ResistsBeside = !Resists<L, T> && std::convertible_to<resistance_beside_t<L, T>, T>;
 template <class L, class T>
 concept Rubs = std::convertible_to<traction_t<L, T>, Vec3<T>>;
 template <class L, class T>
@@ -105,9 +126,10 @@ concept PreparesDashpot =
 template <class L>
 concept NormalLaw = std::copyable<L> && detail::Repels<L, double>;
 
-/// Signed push, N, that opposes the closing speed, zero out of contact. `stiffness` is the tangent of the normal law.
+/// Signed push, N, that opposes the closing speed, zero out of contact, from the tangent stiffness of the normal law or
+/// from its push as well.
 template <class L>
-concept DampingLaw = std::copyable<L> && detail::Resists<L, double>;
+concept DampingLaw = std::copyable<L> &&(detail::Resists<L, double> || detail::ResistsBeside<L, double>);
 
 /// Force on grain i, N, opposing the slip, never longer than the friction coefficient times the normal force.
 template <class L>

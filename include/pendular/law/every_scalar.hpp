@@ -42,12 +42,23 @@ inline constexpr bool repels_in_every_scalar = answers_in_every_scalar<repulsion
 template <class L>
 inline constexpr bool repels_exactly = answers_exactly<repulsion_t, itself, L>();
 
+/// Of the form that the library takes: from the stiffness where a law has that.
 template <class L>
-inline constexpr bool resists_in_every_scalar = answers_in_every_scalar<resistance_t, L>() &&
+consteval bool is_resistant_in_every_scalar() {
+  if constexpr (ResistsBeside<L, double>) {
+    return answers_in_every_scalar<resistance_beside_t, L>();
+  } else {
+    return answers_in_every_scalar<resistance_t, L>();
+  }
+}
+template <class L>
+inline constexpr bool resists_in_every_scalar = is_resistant_in_every_scalar<L>() &&
                                                 (!PreparesDashpot<L> ||
                                                  answers_in_every_scalar<prepared_resistance_t, L>());
 template <class L>
 inline constexpr bool resists_exactly = answers_exactly<resistance_t, itself, L>() &&
+                                        (!ResistsBeside<L, double> ||
+                                         answers_exactly<resistance_beside_t, itself, L>()) &&
                                         (!PreparesDashpot<L> || (answers_exactly<dashpot_t, prepared_dashpot, L>() &&
                                                                  answers_exactly<prepared_resistance_t, itself, L>()));
 

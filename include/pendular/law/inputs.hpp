@@ -25,6 +25,13 @@ struct approach {
   T radius_j;       // m; infinite for a wall
 };
 
+/// What a damping law may see of the spring beside it.
+template <Scalar T>
+struct elastic {
+  T push;       // of the normal law, N, at least 0
+  T stiffness;  // its tangent, N/m
+};
+
 /// What a damping law can prepare once per pair where the stiffness does not depend on the overlap.
 template <Scalar T>
 struct prepared_dashpot {

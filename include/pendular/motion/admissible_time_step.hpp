@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/contact/material.hpp>
+#include <pendular/contact/force.hpp>
 #include <pendular/core/as_eigen.hpp>
 #include <pendular/law/stiffness.hpp>
 #include <pendular/liquid/bonds.hpp>
@@ -42,6 +42,14 @@ struct grain_rigidity {
   }
 };
 
+/// Of dashpots at a contact that nobody remembers yet.
+template <class Material>
+double first_resistance(const Material& m, const approach<double>& a, double tangent) {
+  typename Material::template memory<double> memory{};
+  return resistance(m.damping(), a, elastic<double>{repulsion(m, a, memory), tangent},
+                    part_of<typename Material::damping_law>(memory));
+}
+
 /// Tangents of the laws at one contact; a grain without contacts is measured at a touch of 1e-4 of its radius.
 template <class Material>
 struct contact_tangent {
@@ -53,7 +61,7 @@ struct contact_tangent {
     contact_tangent t{stiffness(m.normal(), a), 0, 0};
     if constexpr (Material::has_damping) {
       a.closing_speed = 1e-6;
-      t.damping = std::abs(m.damping().resistance(a, t.normal)) / a.closing_speed;
+      t.damping = std::abs(first_resistance(m, a, t.normal)) / a.closing_speed;
     }
     if constexpr (requires { m.friction().tangential_stiffness; }) t.tangential = m.friction().tangential_stiffness;
     return t;

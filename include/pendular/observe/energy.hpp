@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/law/concepts.hpp>
+#include <pendular/contact/memory.hpp>
 #include <pendular/observe/indices.hpp>
 #include <pendular/observe/pairs_in_order.hpp>
 #include <pendular/space/grains.hpp>
@@ -62,8 +62,28 @@ void add_motion(const System& s, energies& e) {
 
 template <class Material, class Memories, class Rows>
 void add_springs(const Material& m, const Memories& memories, const Rows& rows, energies& e) {
-  if constexpr (requires { m.friction().energy(memories.row(0)); }) {
-    e.friction_springs += sum(rows, [&](std::size_t p) { return m.friction().energy(memories.row(p)); });
+  using law = typename Material::friction_law;
+  if constexpr (requires(const typename Material::template memory<double> row) {
+                  m.friction().energy(part_of<law>(row));
+                }) {
+    e.friction_springs += sum(rows, [&](std::size_t p) {
+      const auto row = memories.row(p);
+      return m.friction().energy(part_of<law>(row));
+    });
+  }
+}
+
+/// Of the spring of one contact; nothing of a law that does not know it.
+template <class Material, class Row>
+double elastic_energy(const Material& m, const approach<double>& a, const Row& row) {
+  using law = typename Material::normal_law;
+  [[maybe_unused]] const auto& memory = part_of<law>(row);
+  if constexpr (requires { m.normal().energy(a, memory); } && pendular::detail::Remembers<law, double>) {
+    return m.normal().energy(a, memory);
+  } else if constexpr (requires { m.normal().energy(a); } && !pendular::detail::Remembers<law, double>) {
+    return m.normal().energy(a);
+  } else {
+    return 0;
   }
 }
 
@@ -74,13 +94,11 @@ void add_pairs(const System& s, energies& e) {
   const auto gap = s.contacts().gap();
   const auto inverse_mass = s.particles().template get<column::inverse_mass>();
   const auto& m = s.contact_material();
-  if constexpr (requires(approach<double> a) { m.normal().energy(a); }) {
-    e.elastic += sum(pairs, [&](std::size_t p) {
-      const double reduced = 1 / (inverse_mass[view.grain_i(p)] + inverse_mass[view.grain_j(p)]);
-      return m.normal().energy(
-          approach<double>{gap[p], 0, reduced, view.radius[view.grain_i(p)], view.radius[view.grain_j(p)]});
-    });
-  }
+  e.elastic += sum(pairs, [&](std::size_t p) {
+    const double reduced = 1 / (inverse_mass[view.grain_i(p)] + inverse_mass[view.grain_j(p)]);
+    const approach<double> a{gap[p], 0, reduced, view.radius[view.grain_i(p)], view.radius[view.grain_j(p)]};
+    return elastic_energy(m, a, s.contacts().memories().row(p));
+  });
   add_springs(m, s.contacts().memories(), pairs, e);
   if constexpr (System::wet) {
     e.capillary = -sum(pairs, [&](std::size_t p) { return s.bridges().energy(p, gap[p], view); });
@@ -107,13 +125,12 @@ void add_walls(const System& s, energies& e) {
   s.for_each_wall([&](const auto& wall, const auto& contacts) {
     e.walls += wall.work;
     const auto& m = s.material_of(wall);
-    if constexpr (requires(approach<double> a) { m.normal().energy(a); }) {
-      e.elastic += sum(indices(contacts.size()), [&](std::size_t k) {
-        const std::size_t row = contacts.row(k);
-        return m.normal().energy(approach<double>{contacts.gap(k), 0, 1 / inverse_mass[row], radius[row],
-                                                  std::numeric_limits<double>::infinity()});
-      });
-    }
+    e.elastic += sum(indices(contacts.size()), [&](std::size_t k) {
+      const std::size_t row = contacts.row(k);
+      const approach<double> a{contacts.gap(k), 0, 1 / inverse_mass[row], radius[row],
+                               std::numeric_limits<double>::infinity()};
+      return elastic_energy(m, a, contacts.memories().row(k));
+    });
     add_springs(m, contacts.memories(), indices(contacts.size()), e);
     e.capillary -= bridge_energy_at(s, contacts);
     const auto work = contacts.work().total();

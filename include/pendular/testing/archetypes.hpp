@@ -34,6 +34,58 @@ class damping_law {
   double viscosity;  // N s/m
 };
 
+class damping_law_beside_spring {
+ public:
+  explicit damping_law_beside_spring(double damping) : viscosity(damping) {}
+
+  template <Scalar T>
+  T resistance(const approach<T>& a, const elastic<T>& spring) const {
+    return T(viscosity) * spring.push * a.closing_speed;
+  }
+
+ private:
+  double viscosity;  // s/m
+};
+
+class damping_law_with_memory {
+ public:
+  explicit damping_law_with_memory(double damping) : viscosity(damping) {}
+
+  template <class T>
+  struct contact_memory {
+    T fastest;  // m/s
+  };
+
+  template <Scalar T>
+  T resistance(const approach<T>& a, const T&, contact_memory<T>& memory) const {
+    memory.fastest = unit_step(T(-a.gap)) * max(memory.fastest, a.closing_speed);
+    return T(viscosity) * memory.fastest * a.closing_speed;
+  }
+
+ private:
+  double viscosity;  // N s2/m2
+};
+
+class normal_law_with_memory {
+ public:
+  explicit normal_law_with_memory(double normal_stiffness) : stiffness_of_spring(normal_stiffness) {}
+
+  template <class T>
+  struct contact_memory {
+    T deepest;  // m
+  };
+
+  template <Scalar T>
+  T repulsion(const approach<T>& a, contact_memory<T>& memory) const {
+    const T overlap = max(T(-a.gap), T(0));
+    memory.deepest = unit_step(overlap) * max(memory.deepest, overlap);
+    return max(T(T(stiffness_of_spring) * (T(2) * overlap - memory.deepest)), T(0));
+  }
+
+ private:
+  double stiffness_of_spring;  // N/m
+};
+
 class friction_law {
  public:
   explicit friction_law(double friction_coefficient) : coefficient(friction_coefficient) {}

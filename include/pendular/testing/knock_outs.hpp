@@ -32,6 +32,16 @@ struct of_a_bridge {
 struct returns_nothing {
   void repulsion(const approach<double>&) const {}
 };
+struct memory_not_declared {
+  double repulsion(const approach<double>& a, double& deepest) const { return deepest - a.gap; }
+};
+struct memory_not_taken {
+  template <class T>
+  struct contact_memory {
+    T deepest;
+  };
+  double repulsion(const approach<double>& a) const { return -a.gap; }
+};
 }  // namespace normal
 
 namespace damping {
@@ -49,6 +59,22 @@ struct without_stiffness {
 };
 struct returns_nothing {
   void resistance(const approach<double>&, double) const {}
+};
+struct returns_nothing_beside_spring {
+  void resistance(const approach<double>&, const elastic<double>&) const {}
+};
+struct not_const_beside_spring {
+  double resistance(const approach<double>& a, const elastic<double>& e) { return e.push * a.closing_speed; }
+};
+struct memory_not_declared {
+  double resistance(const approach<double>& a, double, double& fastest) const { return fastest * a.closing_speed; }
+};
+struct memory_not_taken {
+  template <class T>
+  struct contact_memory {
+    T fastest;
+  };
+  double resistance(const approach<double>& a, double k) const { return k * a.closing_speed; }
 };
 }  // namespace damping
 
@@ -203,10 +229,11 @@ struct returns_nothing : without_energy {
 
 inline constexpr auto normal_laws =
     boost::hana::tuple_t<normal::not_copyable, normal::without_repulsion, normal::not_const, normal::of_a_bridge,
-                         normal::returns_nothing>;
+                         normal::returns_nothing, normal::memory_not_declared, normal::memory_not_taken>;
 inline constexpr auto damping_laws =
     boost::hana::tuple_t<damping::not_copyable, damping::without_resistance, damping::not_const,
-                         damping::without_stiffness, damping::returns_nothing>;
+                         damping::without_stiffness, damping::returns_nothing, damping::returns_nothing_beside_spring,
+                         damping::not_const_beside_spring, damping::memory_not_declared, damping::memory_not_taken>;
 inline constexpr auto friction_laws =
     boost::hana::tuple_t<friction::not_copyable, friction::without_traction, friction::not_const,
                          friction::without_normal_force, friction::returns_a_length, friction::memory_not_declared,

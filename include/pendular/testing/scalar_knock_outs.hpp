@@ -26,6 +26,16 @@ struct damping_law_by_its_preparation {
     return made.coefficient * a.closing_speed;
   }
 };
+struct damping_law_beside_spring {
+  double resistance(const approach<double>& a, const elastic<double>& e) const { return e.push * a.closing_speed; }
+};
+struct normal_law_with_memory {
+  template <class T>
+  struct contact_memory {
+    T deepest;
+  };
+  double repulsion(const approach<double>& a, contact_memory<double>& memory) const { return memory.deepest - a.gap; }
+};
 struct friction_law {
   Vec3<double> traction(const slip<double>& s, double) const { return -s.velocity; }
 };
@@ -83,6 +93,12 @@ struct damping_law_by_its_preparation {
   template <Scalar T>
   auto resistance(const approach<T>& a, const prepared_dashpot<T>& made) const {
     return made.coefficient * a.closing_speed;
+  }
+};
+struct damping_law_beside_spring {
+  template <Scalar T>
+  auto resistance(const approach<T>& a, const elastic<T>& e) const {
+    return e.push * a.closing_speed;
   }
 };
 struct friction_law {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/fields.hpp>
 #include <pendular/core/lanes.hpp>
 #include <pendular/law/inputs.hpp>
 #include <pendular/law/stiffness.hpp>
@@ -83,6 +84,13 @@ Memory fresh_memory() {
     std::memset(static_cast<void*>(&memory), 0, sizeof memory);
   }
   return memory;
+}
+
+template <class Memory>
+bool is_zero(const Memory& memory) {
+  bool zero = true;
+  for_each_scalar<double>(memory, [&](double x) { zero = zero && x == 0; });
+  return zero;
 }
 
 /// Relative error granted to a scalar: a float loses digits in an exponential of a hundred decay lengths.

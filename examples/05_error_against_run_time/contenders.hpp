@@ -41,6 +41,8 @@ Law make(const pendular::fluid& f) {
 /// Its name without namespaces.
 template <class Law>
 std::string name_of() {
+  if constexpr (std::is_same_v<Law, pendular::capillary::richefeu>) return "richefeu";
+  if constexpr (std::is_same_v<Law, pendular::capillary::richefeu_harmonic>) return "richefeu_harmonic";
   std::string name = typeid(Law).name();
 #ifdef __GNUG__
   int status = 0;

@@ -25,6 +25,7 @@ static_assert(check::capillary_law<archetype::capillary_law> && CapillaryLaw<arc
 static_assert(check::capillary_law<archetype::prepared_capillary_law>);
 static_assert(CapillaryLaw<archetype::prepared_capillary_law>);
 static_assert(check::rupture_law<archetype::rupture_law> && RuptureLaw<archetype::rupture_law>);
+static_assert(check::mean_radius<archetype::mean_radius> && MeanRadius<archetype::mean_radius>);
 static_assert(check::viscous_bridge_law<archetype::viscous_bridge_law>);
 static_assert(ViscousBridgeLaw<archetype::viscous_bridge_law>);
 

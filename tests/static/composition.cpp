@@ -74,6 +74,7 @@ inline constexpr std::size_t numbers_per_bond =
     scalar_table<bonds<liquid<fluid, Law, rupture::lian>>::template coefficients>::width;
 static_assert(numbers_per_bond<capillary::richefeu> == 2 && numbers_per_bond<testing::archetype::capillary_law> == 3 &&
               numbers_per_bond<testing::archetype::prepared_capillary_law> == 1);
+static_assert(numbers_per_bond<capillary::richefeu_with<testing::archetype::mean_radius>> == 2);
 
 // Sums of work are kept where they are asked for.
 static_assert(booked::keeps_energy_book && !frictionless::keeps_energy_book);

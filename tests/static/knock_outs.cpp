@@ -24,6 +24,7 @@ static_assert(none_of(knock_out::damping_laws, []<class L>(L) { return DampingLa
 static_assert(none_of(knock_out::friction_laws, []<class L>(L) { return FrictionLaw<type_of<L>>; }));
 static_assert(none_of(knock_out::capillary_laws, []<class L>(L) { return CapillaryLaw<type_of<L>>; }));
 static_assert(none_of(knock_out::rupture_laws, []<class L>(L) { return RuptureLaw<type_of<L>>; }));
+static_assert(none_of(knock_out::mean_radii, []<class L>(L) { return MeanRadius<type_of<L>>; }));
 static_assert(none_of(knock_out::viscous_bridge_laws, []<class L>(L) { return ViscousBridgeLaw<type_of<L>>; }));
 static_assert(none_of(knock_out::capillary_energies, []<class L>(L) { return HasCapillaryEnergy<type_of<L>>; }));
 
@@ -74,6 +75,10 @@ struct prepared_twin {
 struct rupture_twin {
   double distance(const bridge<double>& b, const fluid&) const { return b.radius_i; }
 };
+struct mean_twin {
+  double of(const bridge<double>& b) const { return b.radius_i; }
+};
+static_assert(MeanRadius<mean_twin>);
 struct viscous_twin {
   bridge_resistance<double> resistance(const bridge<double>&, const fluid&) const { return {}; }
 };
@@ -103,6 +108,8 @@ static_assert(RuptureLaw<narrow::rupture_law> && !detail::breaks_in_every_scalar
 static_assert(ViscousBridgeLaw<narrow::viscous_bridge_law> &&
               !detail::drags_in_every_scalar<narrow::viscous_bridge_law>);
 
+static_assert(MeanRadius<narrow::mean_radius> && !detail::averages_in_every_scalar<narrow::mean_radius>);
+
 // So are laws that answer with an expression.
 namespace loose = knock_out::returns_an_expression;
 static_assert(NormalLaw<loose::normal_law> && detail::repels_in_every_scalar<loose::normal_law> &&
@@ -122,6 +129,8 @@ static_assert(CapillaryLaw<loose::capillary_law> && detail::attracts_in_every_sc
 static_assert(CapillaryLaw<loose::capillary_law_by_its_preparation> &&
               detail::attracts_in_every_scalar<loose::capillary_law_by_its_preparation> &&
               !detail::attracts_exactly<loose::capillary_law_by_its_preparation>);
+static_assert(MeanRadius<loose::mean_radius> && detail::averages_in_every_scalar<loose::mean_radius> &&
+              !detail::averages_exactly<loose::mean_radius>);
 static_assert(RuptureLaw<loose::rupture_law> && detail::breaks_in_every_scalar<loose::rupture_law> &&
               !detail::breaks_exactly<loose::rupture_law>);
 

@@ -39,6 +39,9 @@ static_assert(all(law::rupture_laws, []<class L>(L) {
   return RuptureLaw<type_of<L>> && plain<type_of<L>> && check::rupture_law<type_of<L>>;
 }));
 
+static_assert(all(law::mean_radii, []<class L>(L) {
+  return MeanRadius<type_of<L>> && std::is_empty_v<type_of<L>> && check::mean_radius<type_of<L>>;
+}));
 static_assert(all(law::viscous_bridge_laws, []<class L>(L) {
   return ViscousBridgeLaw<type_of<L>> && plain<type_of<L>> && check::viscous_bridge_law<type_of<L>>;
 }));

@@ -22,6 +22,8 @@
 #include <pendular/law/friction/none.hpp>
 #include <pendular/law/friction/viscous_coulomb.hpp>
 #include <pendular/law/friction/viscous_coulomb_explicit.hpp>
+#include <pendular/law/mean_radius/geometric.hpp>
+#include <pendular/law/mean_radius/harmonic.hpp>
 #include <pendular/law/normal/hertz.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/rupture/lian.hpp>
@@ -48,6 +50,7 @@ inline constexpr auto capillary_laws =
                          capillary::bagheri, capillary::constant>;
 inline constexpr auto rupture_laws =
     boost::hana::tuple_t<rupture::lian, rupture::willett, rupture::willett_equal, rupture::mikami>;
+inline constexpr auto mean_radii = boost::hana::tuple_t<mean_radius::geometric, mean_radius::harmonic>;
 inline constexpr auto viscous_bridge_laws = boost::hana::tuple_t<viscous::lubrication>;
 
 }  // namespace pendular::law

@@ -144,6 +144,25 @@ consteval bool is_viscous_bridge_law() {
 }
 
 template <class L>
+consteval bool is_mean_radius() {
+  if constexpr (!std::copyable<L>) {
+    static_assert(detail::never<L>, "a mean radius must be copyable: make it a struct of parameters "
+                                    "(docs/reference/concepts.md)");
+  } else if constexpr (!requires { typename detail::mean_radius_t<L, double>; }) {
+    static_assert(detail::never<L>, "a mean radius needs `template <Scalar T> T of(const bridge<T>&) const` "
+                                    "(docs/reference/concepts.md)");
+  } else if constexpr (!detail::averages_in_every_scalar<L>) {
+    static_assert(detail::never<L>,
+                  "a mean radius must take every scalar, not double alone: write `template <Scalar T> "
+                  "T of(const bridge<T>&) const` (docs/reference/concepts.md)");
+  } else if constexpr (!MeanRadius<L> || !detail::averages_exactly<L>) {
+    static_assert(detail::never<L>, "of must return the scalar type of its bridge: write T, as `auto` may be an "
+                                    "expression that refers to what is gone (docs/reference/concepts.md)");
+  }
+  return true;
+}
+
+template <class L>
 inline constexpr bool normal_law = is_normal_law<L>();
 template <class L>
 inline constexpr bool damping_law = is_damping_law<L>();
@@ -153,6 +172,8 @@ template <class L>
 inline constexpr bool capillary_law = is_capillary_law<L>();
 template <class L>
 inline constexpr bool rupture_law = is_rupture_law<L>();
+template <class L>
+inline constexpr bool mean_radius = is_mean_radius<L>();
 template <class L>
 inline constexpr bool viscous_bridge_law = is_viscous_bridge_law<L>();
 

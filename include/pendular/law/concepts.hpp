@@ -87,6 +87,8 @@ template <class L, class T>
 using bridge_resistance_t =
     decltype(std::declval<const L&>().resistance(std::declval<const bridge<T>&>(), std::declval<const fluid&>()));
 template <class L, class T>
+using mean_radius_t = decltype(std::declval<const L&>().of(std::declval<const bridge<T>&>()));
+template <class L, class T>
 using simple_attraction_t =
     decltype(std::declval<const L&>().attraction(std::declval<const bridge<T>&>(), std::declval<const fluid&>()));
 template <class L, class T>
@@ -110,6 +112,8 @@ template <class L, class T>
 concept Breaks = std::convertible_to<distance_t<L, T>, T>;
 template <class L, class T>
 concept Drags = std::same_as<bridge_resistance_t<L, T>, bridge_resistance<T>>;
+template <class L, class T>
+concept Averages = std::convertible_to<mean_radius_t<L, T>, T>;
 template <class L, class T>
 concept Attracts = std::convertible_to<simple_attraction_t<L, T>, T>;
 template <class L, class T>
@@ -138,6 +142,10 @@ concept FrictionLaw = std::copyable<L> && detail::Rubs<L, double>;
 /// Pull, N, at least 0, the same from both sides of gap = 0.
 template <class L>
 concept CapillaryLaw = std::copyable<L> &&(detail::Attracts<L, double> || detail::Prepares<L, double>);
+
+/// One radius for two, m, of which a capillary law may be a template.
+template <class L>
+concept MeanRadius = std::copyable<L> && detail::Averages<L, double>;
 
 /// Gap at which a bridge breaks, m, growing with its volume.
 template <class L>

@@ -88,6 +88,11 @@ template <class L>
 inline constexpr bool breaks_exactly = answers_exactly<distance_t, itself, L>();
 
 template <class L>
+inline constexpr bool averages_in_every_scalar = answers_in_every_scalar<mean_radius_t, L>();
+template <class L>
+inline constexpr bool averages_exactly = answers_exactly<mean_radius_t, itself, L>();
+
+template <class L>
 inline constexpr bool drags_in_every_scalar = answers_in_every_scalar<bridge_resistance_t, L>();
 template <class L>
 inline constexpr bool drags_exactly = answers_exactly<bridge_resistance_t, bridge_resistance, L>();

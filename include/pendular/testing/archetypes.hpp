@@ -154,6 +154,19 @@ class prepared_capillary_law {
   double share;
 };
 
+class mean_radius {
+ public:
+  explicit mean_radius(double share_of_first) : share(share_of_first) {}
+
+  template <Scalar T>
+  T of(const bridge<T>& b) const {
+    return T(share) * (b.radius_i + b.radius_j);
+  }
+
+ private:
+  double share;
+};
+
 class rupture_law {
  public:
   explicit rupture_law(double share_of_length) : share(share_of_length) {}

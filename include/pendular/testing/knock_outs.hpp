@@ -191,6 +191,24 @@ struct returns_nothing {
 };
 }  // namespace rupture
 
+namespace mean_radius {
+struct not_copyable : uncopyable {
+  double of(const bridge<double>& b) const { return b.radius_i; }
+};
+struct without_of {
+  double radius(const bridge<double>& b) const { return b.radius_i; }
+};
+struct not_const {
+  double of(const bridge<double>& b) { return b.radius_i; }
+};
+struct of_two_numbers {
+  double of(double radius_i, double) const { return radius_i; }
+};
+struct returns_nothing {
+  void of(const bridge<double>&) const {}
+};
+}  // namespace mean_radius
+
 namespace viscous {
 struct not_copyable : uncopyable {
   bridge_resistance<double> resistance(const bridge<double>&, const fluid&) const { return {}; }
@@ -247,6 +265,9 @@ inline constexpr auto capillary_laws =
 inline constexpr auto rupture_laws =
     boost::hana::tuple_t<rupture::not_copyable, rupture::without_distance, rupture::not_const, rupture::without_fluid,
                          rupture::returns_nothing>;
+inline constexpr auto mean_radii =
+    boost::hana::tuple_t<mean_radius::not_copyable, mean_radius::without_of, mean_radius::not_const,
+                         mean_radius::of_two_numbers, mean_radius::returns_nothing>;
 inline constexpr auto viscous_bridge_laws =
     boost::hana::tuple_t<viscous::not_copyable, viscous::without_resistance, viscous::not_const, viscous::without_fluid,
                          viscous::returns_one_number>;

@@ -5,6 +5,7 @@
 #include <pendular/testing/capillary_law.hpp>
 #include <pendular/testing/damping_law.hpp>
 #include <pendular/testing/friction_law.hpp>
+#include <pendular/testing/mean_radius.hpp>
 #include <pendular/testing/normal_law.hpp>
 #include <pendular/testing/rupture_law.hpp>
 #include <pendular/testing/viscous_bridge_law.hpp>

@@ -62,6 +62,9 @@ struct capillary_law_by_its_preparation {
 struct rupture_law {
   double distance(const bridge<double>& b, const fluid&) const { return b.radius_i; }
 };
+struct mean_radius {
+  double of(const bridge<double>& b) const { return b.radius_i; }
+};
 struct viscous_bridge_law {
   bridge_resistance<double> resistance(const bridge<double>&, const fluid&) const { return {}; }
 };
@@ -134,6 +137,12 @@ struct capillary_law_by_its_preparation {
 struct rupture_law {
   template <Scalar T>
   auto distance(const bridge<T>& b, const fluid&) const {
+    return T(2) * b.radius_i;
+  }
+};
+struct mean_radius {
+  template <Scalar T>
+  auto of(const bridge<T>& b) const {
     return T(2) * b.radius_i;
   }
 };

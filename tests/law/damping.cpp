@@ -90,8 +90,8 @@ TEST_CASE("the dashpot opposes the closing speed in contact only") {
   CHECK(two_sided.resistance(contact(-1e-300, 3.0), 1e4) == within(1e-15, 0.6));
 }
 
-// The substitution q ~ overlap^{5/4}, d(sigma) ~ overlap^{1/4} dt of Antypov and Elliott (EPL 94, 50004, 2011) makes a Hertz
-// contact under a dashpot of its tangent stiffness linear, with sqrt(6/5) of the rate: e of the closed form there, and
+// The substitution q ~ overlap^{5/4}, d(sigma) ~ overlap^{1/4} dt of Antypov and Elliott (EPL 94, 50004, 2011) makes a
+// Hertz contact under a dashpot of its tangent stiffness linear, with sqrt(6/5) of the rate: e of the closed form there, and
 // the same six digits by a Runge-Kutta integration of y'' = -max(y^{3/2} + 2 alpha sqrt(3/2) y^{1/4} y', 0) in Python.
 TEST_CASE("a clamped dashpot never makes a Hertz contact attractive and rebounds at any speed alike") {
   struct expected {

@@ -12,8 +12,8 @@
 #include <string>
 #include <typeinfo>
 
-// Every shipped law and every archetype keeps the promises of its concept; in several programs' worth of sources, since
-// each law is compiled in five scalars.
+// Every shipped law and every archetype keeps the promises of its concept; in several sources, since each law is
+// compiled in five scalars.
 namespace kits {
 using namespace pendular;
 

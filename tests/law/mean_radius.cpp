@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mean radius as a policy: shipped ones, one's own without and with a parameter, in the law, its kit and its validity.
+// The mean radius as a policy: shipped ones, one's own with and without a parameter, in law, kit and validity.
 #include "../catch.hpp"
 
 #include <pendular/law/all.hpp>

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kits.hpp"
+
+using namespace kits;
+
+TEST_CASE("capillary laws 6 to 9 of the list keep their promises") {
+  for (const fluid& f : {fluid::water(), examples::tilted_water}) {
+    require_sound(examples::some_of<5, 4>(law::capillary_laws),
+                  [&](const auto& l) { return testing::capillary_law_report(l, f); });
+  }
+}

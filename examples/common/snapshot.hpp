@@ -4,7 +4,7 @@
 #include "job.hpp"
 
 #include <pendular/core/vec.hpp>
-#include <pendular/observe/normal_force.hpp>
+#include <pendular/observe/pairs.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <array>
@@ -27,18 +27,17 @@ template <class System>
 std::vector<double> take_liquid(const System& s, snapshot& shot) {
   std::vector<double> liquid(s.particles().size(), 0.0);
   if constexpr (System::wet) {
-    const auto view = s.view();
-    const auto& book = s.bridges().book();
-    for (std::size_t p = 0; p < view.pairs; ++p) {
-      if (!s.bridges().is_bonded(p)) continue;
-      shot.bonds.push_back({view.id[view.grain_i(p)], view.id[view.grain_j(p)]});
-      shot.bond_force.push_back(pendular::observe::normal_force(s, view, p));
-      shot.bond_volume.push_back(book.bonds()[p]);
-      shot.bond_gap.push_back(view.gap(p));
-      liquid[view.grain_i(p)] += 0.5 * book.bonds()[p];
-      liquid[view.grain_j(p)] += 0.5 * book.bonds()[p];
+    for (const pendular::observe::pair& p : pendular::observe::pairs(s)) {
+      if (!pendular::observe::bridged(p)) continue;
+      shot.bonds.push_back({p.ids.first, p.ids.second});
+      shot.bond_force.push_back(p.push());
+      shot.bond_volume.push_back(p.bridge_volume);
+      shot.bond_gap.push_back(p.gap);
+      liquid[p.rows.first] += 0.5 * p.bridge_volume;
+      liquid[p.rows.second] += 0.5 * p.bridge_volume;
     }
-    for (std::size_t row = 0; row < liquid.size(); ++row) liquid[row] += book.films()[row];
+    const auto films = s.bridges().book().films();
+    for (std::size_t row = 0; row < liquid.size(); ++row) liquid[row] += films[row];
   }
   return liquid;
 }

@@ -6,6 +6,7 @@
 #include <pendular/law/all.hpp>
 #include <pendular/law/check.hpp>
 #include <pendular/liquid/protocol/all.hpp>
+#include <pendular/liquid/source/all.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/coulomb_fit.hpp>
 #include <pendular/observe/energy.hpp>
@@ -14,6 +15,7 @@
 #include <pendular/observe/force_distribution.hpp>
 #include <pendular/observe/grain_pressures.hpp>
 #include <pendular/observe/pair_signs.hpp>
+#include <pendular/observe/pairs.hpp>
 #include <pendular/observe/probability_density.hpp>
 #include <pendular/observe/solid_fraction.hpp>
 #include <pendular/observe/stress.hpp>

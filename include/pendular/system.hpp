@@ -1,389 +1,306 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/boundary/wall.hpp>
-#include <pendular/boundary/wall_contacts_of.hpp>
-#include <pendular/boundary/wet_rows.hpp>
-#include <pendular/contact/pair_contacts.hpp>
-#include <pendular/liquid/redistribution.hpp>
-#include <pendular/motion/admissible_time_step.hpp>
+#include <pendular/boundary/liquid_acts.hpp>
+#include <pendular/liquid/protocol/homogeneous.hpp>
 #include <pendular/motion/advance.hpp>
-#include <pendular/motion/scene_check.hpp>
+#include <pendular/motion/observer.hpp>
 #include <pendular/motion/skin.hpp>
 #include <pendular/motion/trouble.hpp>
-#include <pendular/motion/velocity_verlet.hpp>
+#include <pendular/scene_state.hpp>
 #include <pendular/space/grains.hpp>
-#include <pendular/space/pair_list.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <exception>
+#include <span>
 #include <string>
-#include <tuple>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace pendular {
 
-/// In place of a liquid in a dry scene.
-struct dry {};
-
-/// Numbers that are not physics.
-struct run_options {
-  std::optional<double> skin = {};  // of the Verlet list, in units of the smallest radius; empty: the cheapest
-  double overlap_limit = 0.1;       // a larger overlap, in units of the smaller radius, stops the run
-  double domain_margin = 10;        // a grain this many sizes of the first packing away from it is lost
-  bool force = false;               // run even if the scene breaks a limit
-};
-
-namespace detail {
-template <class Liquid>
-struct bonds_of {
-  using type = bonds<Liquid>;
-};
-template <>
-struct bonds_of<dry> {
-  using type = no_bonds;
-};
-}  // namespace detail
-
 /// A DEM scene: material and liquid of the grains, walls, integrator. What is not chosen is not there: no bridge,
 /// volume or film without a liquid, no rotation without friction.
-template <class Material, class Liquid, class Boundary, class Integration>
-class system {
+template <class Material, class Liquid, class Boundary, class Integration, GrainTag... Tags>
+class system : public scene_state<Material, Liquid, Boundary, Integration, Tags...> {
+  using state = scene_state<Material, Liquid, Boundary, Integration, Tags...>;
   static_assert(Integrator<Integration>,
                 "a system needs an integrator as its last policy, such as velocity_verlet{1e-6} "
                 "(docs/reference/integrators.md)");
 
  public:
-  using material_type = Material;
-  using liquid_type = Liquid;
-  using bonds_type = typename detail::bonds_of<Liquid>::type;
-  using grains_type = grains<Material::has_friction, Material::counts_contacts>;
-  using contacts_type = pair_contacts<Material, bonds_type>;
-  static constexpr bool wet = !std::is_same_v<Liquid, dry>;
+  using state::contacts, state::expect_limits, state::for_each_wall, state::pairs, state::time, state::view, state::wet;
+  using typename state::bonds_type;
+  using typename state::clock_start;
+  using typename state::grains_type;
+  using typename state::rows_type;
 
   system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
          run_options options = {}) requires(!std::is_same_v<Liquid, dry>)
-      : material_(m), bonds_(l), walls_(b), integrator_(i), options_(options) {
-    check_arguments();
-  }
+      : state(m, l, b, i, options) {}
   system(const Material& m, const Boundary& b, const Integration& i,
          run_options options = {}) requires(std::is_same_v<Liquid, dry>)
-      : material_(m), walls_(b), integrator_(i), options_(options) {
-    check_arguments();
-  }
+      : state(m, b, i, options) {}
+  /// With tags of one's own for the grains, as tags<temperature>{}.
+  system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i, tags<Tags...>,
+         run_options options = {}) requires(!std::is_same_v<Liquid, dry>)
+      : system(m, l, b, i, options) {}
+  system(const Material& m, const Boundary& b, const Integration& i, tags<Tags...>,
+         run_options options = {}) requires(std::is_same_v<Liquid, dry>)
+      : system(m, b, i, options) {}
 
   /// Errors: as grains::add.
   void add(const grain& g) {
     grains_.add(g);
-    if constexpr (wet) bonds_.book().resize_films(grains_.size());
+    if constexpr (wet) rows_.bridges().resize_films(grains_.size());
     started_ = false;
   }
 
-  /// Lists the pairs and evaluates the forces, so that the state can be looked at before the first step.
+  /// Takes grains out, by their ids. Their bridges break, and what liquid they then have goes to the account "taken out".
+  /// Grains that touched none of them go on with the same bits. Errors: a grain that is not there, or all of them;
+  /// nothing has changed then.
+  void remove(std::span<const std::int64_t> ids) {
+    std::vector<char> gone(grains_.size(), 0);
+    for (const std::int64_t id : ids) gone[grains_.row_of(id)] = 1;
+    const auto left = static_cast<double>(std::count(gone.begin(), gone.end(), 0));
+    expects(left > 0, "the number of grains that are left", left, "at least 1", "docs/reference/grains.md");
+    change([&] {
+      std::fill(gone.begin(), gone.end(), 0);  // start() may have given the grains other rows
+      for (const std::int64_t id : ids) gone[grains_.row_of(id)] = 1;
+      if constexpr (wet) liquid_now().take_out(gone);
+      for (const std::int64_t id : ids) {
+        if (driven_.is_driven(id)) driven_.remove(id);
+      }
+      rebuild(true, 0, gone);
+    });
+  }
+
+  /// Prescribes the motion of a grain from here on: at these velocities, whatever the forces; at rest without. In contacts
+  /// it is then infinitely heavy, as a wall. Errors: a grain that is not there or is driven already.
+  void drive(std::int64_t id, const vector& velocity = {0, 0, 0}, const vector& angular_velocity = {0, 0, 0}) {
+    grains_.row_of(id);
+    driven_.add({id, velocity, angular_velocity});
+    driven_.set_off(grains_, {id, velocity, angular_velocity});
+    driven_.find(grains_);
+  }
+  /// Lets it move again. Errors: a grain that is not driven.
+  void release(std::int64_t id) {
+    driven_.remove(id);
+    driven_.find(grains_);
+  }
+  void restore_driven(std::vector<driven_grain> all, double work) {
+    driven_.restore(std::move(all), work);
+    driven_.find(grains_);
+  }
+
+  /// Lists the pairs and evaluates the forces, so that the state can be looked at before the first step. Grains that were
+  /// there before keep their forces.
   void start() {
     if (started_) return;
-    expect_grains();
+    expect_grains("the first step");
     domain_ = around(bounding_box(grains_.template get<column::position>()));
-    rebuild();
-    evaluate(false);
+    rebuild(true);
+    renew();
     expect_limits();
     started_ = true;
   }
 
-  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
-  std::vector<scene_limit> limits() const {
-    expect_grains();
-    auto rigidities = detail::rigidities(grains_, list_, material_);
-    const double near = 0.2 * extreme_radii(grains_).first;  // whatever the skin
-    for_each_wall(
-        [&](const auto& wall, const auto&) { detail::add_wall(rigidities, grains_, wall, material_of(wall), near); });
-    std::vector<scene_limit> all{
-        contact_step_limit(integrator_, grains_, rigidities),
-        viscosity_step_limit(integrator_, grains_, rigidities, material_), damping_limit(grains_, material_),
-        pressure_limit(grains_, material_, weight_pressure(grains_, integrator_.gravity) + lid_stress(*this))};
-    if constexpr (wet) {
-      const pair_view now = view();
-      all.push_back(capillary_step_limit(integrator_, grains_, now, bonds_));
-      if constexpr (Liquid::is_viscous) all.push_back(bridge_viscosity_step_limit(integrator_, grains_, now, bonds_));
-      all.push_back(bridge_softness_limit(material_, now, bonds_));
-    }
-    return all;
-  }
-
-  /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
-  /// unless run_options::force is set.
-  void expect_limits() const {
-    if (options_.force) return;
-    if (const std::string broken = violations(limits()); !broken.empty()) throw input_error(broken);
-  }
-
-  /// Puts liquid of the given volume, m3, between all eligible pairs (Richefeu et al. 2007, Eqs. 13-14).
+  /// Puts liquid of the given volume, m3, between all eligible pairs (Richefeu et al. 2007, Eqs. 13-14). Errors: as
+  /// expect_limits(); nothing has changed then.
   void distribute_liquid(double volume, bond_selection selection = {}) requires(!std::is_same_v<Liquid, dry>) {
     validate(selection);
-    start();
-    bonds_.book().introduce(volume);
-    bonds_.select(selection);
-    redistribute();
-    events_ = {};
-    evaluate(false);
-    expect_limits();
+    change([&] {
+      rows_.bridges().introduce(volume);
+      rows_.bridges().select(selection);
+      see_far_enough(protocol::homogeneous{}, true);
+      liquid_now().redistribute(protocol::homogeneous{});
+      rows_.bridges().restore_events({});
+    });
   }
 
-  /// Errors: run_error, naming grain, step and cause.
+  /// What a source or sink does in one of its periods, now. Errors: as distribute_liquid, or of the source.
+  template <Source S>
+  void exchange(const S& source) requires(!std::is_same_v<Liquid, dry>) {
+    change([&] { liquid_now().act(source, integrator_.time_step); });
+  }
+  /// Liquid moved by hand between the scene and an account outside of it: act(outside_door&).
+  template <class Act>
+  void exchange(std::string_view account, const Act& act) requires(!std::is_same_v<Liquid, dry>) {
+    change([&] { liquid_now().through_door(account, 0, act); });
+  }
+
+  /// Errors: run_error, naming grain, step and cause; whatever an observer or a source throws, after a whole step.
   void run(std::int64_t steps) {
+    null_observer nobody;
+    run(steps, nobody);
+  }
+  template <class Watcher>
+  void run(std::int64_t steps, Watcher&& observer) {
+    using watcher = std::remove_cvref_t<Watcher>;
+    static_assert(Observer<watcher, system>,
+                  "an observer is called with `const system&`, or has a `notice(const bridge_event&)`, or both "
+                  "(docs/reference/observe.md)");
+    detail::expect_period(observer);
     start();
-    forget_constants();
-    if (steps > 0) stale_ |= predict(grains_, integrator_, listing{listed_at_, 0.5 * skin_});
-    for (std::int64_t k = 1; k <= steps; ++k) step(k < steps ? followed_by::next_step : followed_by::nothing);
-  }
-
-  const grains_type& particles() const { return grains_; }
-  grains_type& particles() { return grains_; }
-  const pair_list& pairs() const { return list_; }
-  const contacts_type& contacts() const { return contacts_; }
-  contacts_type& contacts() { return contacts_; }
-  const bonds_type& bridges() const { return bonds_; }
-  bonds_type& bridges() { return bonds_; }
-  const Material& contact_material() const { return material_; }
-  Material& contact_material() { return material_; }
-  const Integration& integrator() const { return integrator_; }
-  const Boundary& walls() const { return walls_; }
-  Boundary& walls() { return walls_; }
-
-  std::int64_t step_count() const { return steps_; }
-  std::int64_t rebuild_count() const { return rebuilds_; }
-  double time() const { return static_cast<double>(steps_) * integrator_.time_step; }
-  const bond_events& events() const { return events_; }
-  const bond_selection& selection() const requires(!std::is_same_v<Liquid, dry>) { return bonds_.selection(); }
-  /// Whether bridges lost their pair to a jump and their liquid waits for the next step.
-  bool has_torn_bonds() const { return torn_; }
-
-  /// The listed pairs as the observers see them, and as the liquid does the grains near wettable walls.
-  pair_view view() const {
-    const double g = norm(integrator_.gravity);
-    const vector up = g > 0 ? (-1.0 / g) * integrator_.gravity : vector{0, 0, 0};
-    pair_view v{list_.first(),
-                list_.second(),
-                list_.size(),
-                grains_.template get<column::position>(),
-                grains_.template get<column::radius>(),
-                grains_.template get<column::id>(),
-                up};
-    if constexpr (wet) boundary::append_wet_rows(*this, v);
-    return v;
-  }
-
-  /// The wall's own material, or the grains'.
-  template <class Wall>
-  const auto& material_of(const Wall& wall) const {
-    if constexpr (std::is_same_v<decltype(Wall::material), none>) {
-      return material_;
-    } else {
-      return wall.material;
-    }
-  }
-
-  /// visit(wall, its contacts) for all walls in the order they were given.
-  template <class Visit>
-  void for_each_wall(const Visit& visit) {
-    for_each_wall_of(*this, visit);
-  }
-  template <class Visit>
-  void for_each_wall(const Visit& visit) const {
-    for_each_wall_of(*this, visit);
+    rows_.forget_constants();
+    if constexpr (wet) rows_.bridges().keep_log(ObservesEvents<watcher>);
+    bool begun = false;
+    for (std::int64_t k = 1; k <= steps; ++k) begun = step(begun, k < steps, observer);
   }
 
   /// Makes neighbour list and running sums anew. Done where a checkpoint is written and where it is read, so that both
   /// runs go on with the same bits.
   /// `reach` is how far the new list must see at least, m. Errors: no grains.
   void canonicalise(double reach = 0) {
-    expect_grains();
-    wanted_reach_ = reach;
-    rebuild();
-    wanted_reach_ = 0;
-    contacts_.recall_gap(view());
-    contacts_.work().fold();
-    for_each_wall([&](auto& wall, auto& contacts) {
-      contacts.recall_gap(grains_, wall);
-      contacts.work().fold();
-    });
+    expect_grains("the neighbour list");
+    rebuild(true, reach);
+    rows_.canonicalise(grains_, view());
+  }
+
+  /// Another time step or gravity from here on; the time goes on from where it is. Errors: as at construction, or a limit
+  /// that the scene would break; nothing has changed then.
+  void change_integrator(const Integration& next) {
+    system changed = *this;
+    changed.clock_ = {time(), steps_};
+    changed.integrator_ = next;
+    changed.check_arguments();
+    if (started_) changed.expect_limits();
+    *this = std::move(changed);
   }
 
   /// Sets the clock of a run whose grains, walls and bridges a checkpoint has just put back.
-  /// `torn` is what `has_torn_bonds` said of it.
-  void resume_at(std::int64_t steps, const bond_selection& selection, const bond_events& events, bool torn) {
+  void resume_at(std::int64_t steps, const clock_start& clock) {
     steps_ = steps;
-    if constexpr (wet) bonds_.select(selection);
-    events_ = events;
-    torn_ = torn;
+    clock_ = clock;
     domain_ = around(bounding_box(grains_.template get<column::position>()));
     started_ = true;
   }
 
  private:
-  template <class Self, class Visit>
-  static void for_each_wall_of(Self& self, const Visit& visit) {
-    constexpr auto count = std::tuple_size_v<std::remove_cvref_t<decltype(self.walls_.all)>>;
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (visit(std::get<I>(self.walls_.all), std::get<I>(self.wall_contacts_)), ...);
-    }
-    (std::make_index_sequence<count>{});
-  }
+  using state::around, state::check_arguments, state::clock_of, state::expect_grains, state::up;
+  using state::clock_, state::steps_, state::started_;
+  using state::rows_, state::integrator_, state::options_, state::grains_, state::driven_, state::near_, state::domain_;
 
-  void expect_grains() const {
-    expects(grains_.size() > 0, "the number of grains", 0, "at least 1", "docs/reference/system.md");
-  }
-
-  void check_arguments() const {
-    constexpr auto page = "docs/reference/system.md";
-    validate(integrator_);
-    const double skin = options_.skin.value_or(1);
-    expects(skin > 0 && skin < 10, "the skin in units of the smallest radius", skin, "in (0, 10)", page);
-    expects(options_.overlap_limit > 0 && options_.overlap_limit < 1, "the overlap limit in units of the radius",
-            options_.overlap_limit, "in (0, 1)", page);
-    if constexpr (wet) {
-      if constexpr (Liquid::needs_gravity) {
-        expects(norm(integrator_.gravity) > 0, "the gravity of a scene with protocol::gravity (m/s2)", 0.0,
-                "different from 0", "docs/reference/liquid.md");
-      }
-    }
-  }
-
-  box around(const box& b) const {
-    const vector size = b.upper - b.lower;
-    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii(grains_).second);
-    const vector all_around{margin, margin, margin};
-    return {b.lower - all_around, b.upper + all_around};
-  }
-
-  /// Masses and materials may have been changed by hand.
-  void forget_constants() {
-    contacts_.forget_constants();
-    for_each_wall([&](const auto&, auto& contacts) { contacts.forget_constants(); });
-  }
-
-  /// From the first half of this step on, to the first half of the next if there is one.
-  void step(followed_by what) {
+  /// One step, whose first half is done if `begun`. Answers whether the first half of the next is.
+  template <class Watcher>
+  bool step(bool begun, bool goes_on, Watcher& observer) {
+    if (!begun) predict_all();
     for_each_wall([&](auto& wall, auto&) {
       wall.move(integrator_.time_step);
-      wall_travel_ += norm(wall.drive.velocity) * integrator_.time_step;
+      near_.wall_came(wall.approach_speed() * integrator_.time_step);
     });
     ++steps_;
-    if (stale_ || wall_travel_ > 0.5 * skin_) rebuild();
-    if constexpr (wet) {
-      if constexpr (Liquid::redistributes_globally) {
-        if (steps_ % bonds_.policies().redistribution().period == 0) redistribute();
-      }
-    }
-    evaluate(true, what);
+    if (near_.is_stale()) rebuild(false);
+    std::exception_ptr thrown;
+    if constexpr (wet) thrown = act_on_liquid();
+    evaluate();
+    const bool look = detail::looks_at_step<system>(observer, steps_) || has_news() || thrown;
+    const followed_by what = goes_on && !look ? followed_by::next_step : followed_by::nothing;
+    correct_all(what);
+    if (thrown) std::rethrow_exception(thrown);
+    if (look) detail::tell(observer, *this, take_news());
+    return what == followed_by::next_step;
   }
 
-  void rebuild() {
+  void predict_all() {
+    driven_.remember(grains_);
+    near_.expire(predict(grains_, integrator_, near_.listed()));
+    near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, false, true, near_.listed()));
+  }
+  void correct_all(followed_by what) {
+    driven_.remember(grains_);
+    near_.expire(correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, true, what, near_.listed()));
+    const bool predicted = what == followed_by::next_step;
+    near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, true, predicted, near_.listed()));
+  }
+
+  /// All forces of a moving scene, and what bridges do that break or may form.
+  void evaluate() {
+    const contact_findings found = rows_.evaluate(grains_, pairs(), clock_of(true));
+    if constexpr (wet) settle_if(found);
+  }
+  /// The forces of a scene that stands, where something has changed.
+  void renew() {
+    rows_.forget_constants();
+    const contact_findings found = rows_.renew(grains_, pairs(), clock_of(false));
+    if constexpr (wet) settle_if(found);
+    correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, false, followed_by::nothing, near_.listed());
+  }
+
+  /// What changes a standing scene from outside happens as a whole or not at all.
+  template <class Act>
+  void change(const Act& act) {
+    start();
+    system before = *this;
+    try {
+      act();
+      renew();
+      expect_limits();
+    } catch (...) {
+      *this = std::move(before);
+      throw;
+    }
+  }
+
+  /// `standing` if nobody evaluates all forces at once, `reach` is what the list must see besides, m, `gone` marks the
+  /// grains that are taken out.
+  void rebuild(bool standing, double reach = 0, std::span<const char> gone = {}) {
     check_grains(grains_, domain_, steps_);
     const double small = extreme_radii(grains_).first;
-    skin_ = small * options_.skin.value_or(cheapest_skin(longest_way(*this) / small));
-    double range = skin_;
+    const double skin = small * options_.skin.value_or(cheapest_skin(longest_way(*this) / small));
+    double range = skin;
     if constexpr (wet) {
       const pair_view before = view();
-      range += std::max(bonds_.reach(before), wanted_reach_);
-      const std::int64_t torn = break_torn_bonds(bonds_, before, range);
-      events_.ruptures += torn;
-      torn_ |= torn > 0;
+      range += std::max(rows_.bridges().reach(before), reach);
+      break_torn_bonds(rows_.bridges(), before, range);
     }
-    const graded_grid grid(grains_.template get<column::position>(), grains_.template get<column::radius>(), range);
-    const auto order = grid.order(grains_.template get<column::id>());
-    grains_.permute(order);
-    const auto origin = list_.rebuild(grains_.template get<column::position>(), grains_.template get<column::radius>(),
-                                      grains_.template get<column::id>(), grid, range, range - skin_, order);
-    contacts_.carry(origin, list_.padded_size());
-    relist_walls(origin, order, range);
-    const auto places = grains_.template rows<grain_row::place>();
-    listed_at_.assign(places.begin(), places.end());
-    wall_travel_ = 0;
-    stale_ = false;
-    ++rebuilds_;
+    const auto from = near_.relist(grains_, range, skin, gone);
+    driven_.find(grains_);
+    rows_.relist(grains_, pairs(), up(), {from.of_pairs, from.of_grains, range, skin, standing});
   }
 
-  /// The grains near every wall, and the rows of the bonds behind pairs and walls.
-  void relist_walls(const std::vector<std::int32_t>& pair_origin, const std::vector<std::size_t>& order, double range) {
-    auto bond_origin = pair_origin;
-    bond_origin.resize(list_.padded_size(), -1);
-    loads_.relist(grains_.size());
-    for_each_wall([&](const auto& wall, auto& contacts) {
-      constexpr bool carries_bridges = std::remove_cvref_t<decltype(contacts)>::carries_bridges;
-      const auto places = contacts.rebuild(grains_, wall, carries_bridges ? range : skin_, order);
-      if constexpr (carries_bridges) contacts.take_bond_rows(places, bond_origin);
-      loads_.list(contacts);
-    });
-    if constexpr (wet) {
-      bonds_.book().permute_films(order);
-      bonds_.carry(bond_origin, view());
+  // The liquid --------------------------------------------------------------------------------------------------------
+
+  auto liquid_now() { return liquid_acts<rows_type, grains_type>(rows_, grains_, pairs(), up()); }
+
+  bool has_news() const {
+    if constexpr (wet) return !rows_.bridges().log().empty();
+    return false;
+  }
+  std::vector<bridge_event> take_news() {
+    if constexpr (wet) return rows_.bridges().take_log();
+    return {};
+  }
+  /// Sources and sinks, then a global protocol, if their periods end here. Answers what they threw.
+  std::exception_ptr act_on_liquid() requires(!std::is_same_v<Liquid, dry>) {
+    std::exception_ptr thrown;
+    if constexpr (Liquid::has_sources) {
+      thrown = liquid_now().act_at(steps_, integrator_.time_step);
+      if (rows_.bridges().asks_protocol()) near_.expire(liquid_now().outgrows_list(near_.skin()));
     }
-  }
-
-  void redistribute() requires(!std::is_same_v<Liquid, dry>) {
-    const pair_view listed = view();
-    wanted_reach_ = homogeneous_reach(bonds_, listed, candidates(listed, selection()), bonds_.book().introduced());
-    if (list_.range() < wanted_reach_ + skin_) rebuild();
-    wanted_reach_ = 0;
-    count(distribute_homogeneously(bonds_, view(), selection()));
-  }
-
-  void count(const bond_events& e) {
-    events_.ruptures += e.ruptures;
-    events_.formations += e.formations;
-  }
-
-  void settle() requires(!std::is_same_v<Liquid, dry>) {
-    const pair_view v = view();
-    const auto pairs_of = [&](std::size_t grain) { return list_.pairs_of(grain); };
-    if (v.wet_walls) {
-      count(settle_bonds(bonds_, v, boundary::gaps_of_all_rows(*this).history(), pairs_of));
-    } else {
-      count(settle_bonds(bonds_, v, contacts_.gaps(), pairs_of));
+    if constexpr (Liquid::redistributes_globally) {
+      const auto protocol = rows_.bridges().policies().redistribution();
+      if (thrown || steps_ % protocol.period != 0) return thrown;
+      see_far_enough(protocol, false);
+      thrown = liquid_now().all_or_nothing([&] { liquid_now().redistribute(protocol); });
     }
-    stale_ |= bonds_.formation_reach(v) + skin_ > list_.range();  // liquid has gathered on a grain
+    return thrown;
+  }
+  /// A global protocol may need pairs that are farther apart than those that are listed.
+  template <class P>
+  void see_far_enough(const P& protocol, bool standing) {
+    const double reach = liquid_now().reach_of(protocol);
+    if (pairs().range() < reach + near_.skin()) rebuild(standing, reach);
   }
 
-  void evaluate(bool moving, followed_by what = followed_by::nothing) {
-    if (!moving) forget_constants();
-    const contact_clock clock{integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving};
-    contact_findings found = contacts_.evaluate(grains_, list_, material_, bonds_, clock);
-    if (found.trouble) report_pair_trouble(grains_, list_, contacts_, options_.overlap_limit, steps_);
-    loads_.clear();
-    for_each_wall([&](auto& wall, auto& contacts) {
-      const contact_findings here = contacts.evaluate(grains_, wall, material_of(wall), bonds_, clock);
-      if (here.trouble) report_wall_trouble(grains_, contacts, options_.overlap_limit, steps_);
-      found |= here;
-      wall.take(contacts.force_on_wall(), moving ? clock.time_step : 0);
-      loads_.add(contacts);
-    });
-    if constexpr (wet) {
-      if (found.liquid_event || torn_) settle();
-      torn_ = false;
-    }
-    stale_ |= correct(grains_, list_, contacts_, loads_, integrator_, moving, what, {listed_at_, 0.5 * skin_});
+  void settle_if(const contact_findings& found) requires(!std::is_same_v<Liquid, dry>) {
+    const bool asked = found.liquid_event || rows_.bridges().asks_protocol();
+    liquid_now().settle_if(found);
+    if (asked) near_.expire(liquid_now().outgrows_list(near_.skin()));  // liquid may have gathered on a grain
   }
-
-  Material material_;
-  bonds_type bonds_;
-  Boundary walls_;
-  Integration integrator_;
-  run_options options_;
-  grains_type grains_;
-  pair_list list_;
-  contacts_type contacts_;
-  typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type wall_contacts_;
-  wall_loads<grains_type> loads_;
-  std::vector<grain_row::place> listed_at_;
-  box domain_{};
-  bond_events events_;
-  std::int64_t steps_ = 0, rebuilds_ = 0;
-  double skin_ = 0, wall_travel_ = 0, wanted_reach_ = 0;
-  bool stale_ = true, started_ = false, torn_ = false;
 };
 
 template <class... M, class... L, class Boundary, class Integration>
@@ -392,5 +309,11 @@ system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integr
 template <class... M, class Boundary, class Integration>
 system(const material<M...>&, const Boundary&, const Integration&, run_options = {})
     -> system<material<M...>, dry, Boundary, Integration>;
+template <class... M, class... L, class Boundary, class Integration, class... Tags>
+system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
+    -> system<material<M...>, liquid<L...>, Boundary, Integration, Tags...>;
+template <class... M, class Boundary, class Integration, class... Tags>
+system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
+    -> system<material<M...>, dry, Boundary, Integration, Tags...>;
 
 }  // namespace pendular

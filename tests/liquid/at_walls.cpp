@@ -55,7 +55,7 @@ TEST_CASE("under P0 a wall weighs as much as a grain of the same size") {
   const packing c = on_floor();
   auto b = bonds_of(wet(volume_is_distance{}, protocol::neighbours{}), c, {0.2}, {0.4, 0.8});
   for (const std::size_t p : {floor_0, floor_1}) {
-    b.book().introduce(0.1);
+    b.introduce(0.1);
     b.move(ledger::reservoir(), ledger::bond_of(p), 0.1, p, 0.0, c.view());
   }
   c.settle(b, gaps({{pair, -1e-3}, {floor_0, -1e-3}, {floor_1, -1e-3}}));
@@ -69,7 +69,7 @@ TEST_CASE("under P0 a wall weighs as much as a grain of the same size") {
 TEST_CASE("under P3 the film runs to the floor, under P2 to the wall that is newly touched") {
   const packing c = on_floor();
   auto p3 = bonds_of(wet(volume_is_distance{}, protocol::gravity{}), c, {0.2}, {0.4, 0.0});
-  p3.book().introduce(0.1);
+  p3.introduce(0.1);
   p3.move(ledger::reservoir(), ledger::bond_of(floor_0), 0.1, floor_0, 0.0, c.view());
   c.settle(p3, gaps({{pair, -1e-3}, {floor_0, -1e-3}}));
   CHECK(p3.book().bonds()[floor_0] == within(1e-14, 0.5));
@@ -85,7 +85,7 @@ TEST_CASE("under P3 the film runs to the floor, under P2 to the wall that is new
 TEST_CASE("a bridge broken at a wall leaves all its liquid to the grain") {
   const packing c = on_floor();
   auto b = bonds_of(wet(volume_is_distance{}), c, {0.2}, {});
-  b.book().introduce(0.1);
+  b.introduce(0.1);
   b.move(ledger::reservoir(), ledger::bond_of(floor_1), 0.1, floor_1, 0.0, c.view());
   const bond_events e = c.settle(b, gaps({{pair, -1e-3}, {floor_1, 0.11}}));
   CHECK((e.ruptures == 1 && b.book().films()[1] == 0.1 && b.book().films()[0] == 0 && b.count() == 1));
@@ -95,8 +95,8 @@ TEST_CASE("the homogeneous share goes over pairs and walls by their sizes") {
   const packing c = on_floor();
   auto b = bonds_of(wet(rupture::lian{}, protocol::homogeneous{}), c, {}, {});
   const double sizes = std::pow(3, 1.5) + 1 + 27;
-  b.book().introduce(1e-3 * sizes);
-  const bond_events e = distribute_homogeneously(b, c.view(), {});
+  b.introduce(1e-3 * sizes);
+  const bond_events e = distribute(b, c.view(), {});
   CHECK(e.formations == 3);
   CHECK(b.book().bonds()[pair] == within(1e-13, 1e-3 * std::pow(3, 1.5)));
   CHECK(b.book().bonds()[floor_0] == within(1e-13, 1e-3));

@@ -39,8 +39,8 @@ TEST_CASE("a homogeneous distribution gives every pair in reach V_b = alpha R^3 
   const packing row = row_of_grains();
   auto b = dry_bonds(wet(rupture::lian{}, protocol::homogeneous{}), row);
   // Six pairs of radii 1 and 2 have R^3 = sqrt(8); the one at a gap of 0.1 then needs alpha = 1e-3 / sqrt(8).
-  b.book().introduce(0.06);
-  const bond_events e = distribute_homogeneously(b, row.view(), {});
+  b.introduce(0.06);
+  const bond_events e = distribute(b, row.view(), {});
   CHECK((e.formations == 6 && e.ruptures == 0));
   for (std::size_t p = 0; p < 6; ++p) CHECK(b.book().bonds()[p] == within(1e-14, 0.01));
   CHECK(b.book().bonds()[6] == 0);
@@ -52,8 +52,8 @@ TEST_CASE("a homogeneous distribution gives every pair in reach V_b = alpha R^3 
 TEST_CASE("liquid that is too little for the open pair stays between the touching ones") {
   const packing row = row_of_grains();
   auto b = dry_bonds(wet(rupture::lian{}, protocol::homogeneous{}), row);
-  b.book().introduce(0.0055);  // 1.1e-3 each for five, but 0.917e-3 each for six does not reach across 0.1
-  CHECK(distribute_homogeneously(b, row.view(), {}).formations == 5);
+  b.introduce(0.0055);  // 1.1e-3 each for five, but 0.917e-3 each for six does not reach across 0.1
+  CHECK(distribute(b, row.view(), {}).formations == 5);
   for (std::size_t p = 0; p < 5; ++p) CHECK(b.book().bonds()[p] == within(1e-14, 0.0011));
   CHECK(b.book().bonds()[5] == 0);
 }
@@ -62,7 +62,7 @@ TEST_CASE("bridges and films of before are collected first, and only real change
   const packing row = row_of_grains();
   auto b = bonds_of(wet(rupture::lian{}, protocol::homogeneous{}), row, {0.03, 0, 0, 0, 0, 0, 0.01},
                     {0, 0.02, 0, 0, 0, 0, 0, 0});
-  const bond_events e = distribute_homogeneously(b, row.view(), {});
+  const bond_events e = distribute(b, row.view(), {});
   CHECK((e.formations == 5 && e.ruptures == 1));  // pair 6 lost its bridge, pair 0 kept one
   for (std::size_t p = 0; p < 6; ++p) CHECK(b.book().bonds()[p] == within(1e-14, 0.01));
   for (const double film : b.book().films()) CHECK(film == 0);
@@ -79,8 +79,8 @@ TEST_CASE("a thinned distribution gives the pairs it keeps more, the others noth
   many.listed();
   const bond_selection half{2, 5};
   auto b = dry_bonds(wet(rupture::lian{}), many);
-  b.book().introduce(0.4);
-  distribute_homogeneously(b, many.view(), half);
+  b.introduce(0.4);
+  distribute(b, many.view(), half);
   std::size_t kept = 0;
   for (std::int64_t k = 0; k < 400; ++k) kept += half.keeps(k, k + 1) ? 1 : 0;
   CHECK(b.count() == kept);
@@ -95,16 +95,16 @@ TEST_CASE("a thinned distribution gives the pairs it keeps more, the others noth
 TEST_CASE("a thousand redistributions conserve the liquid") {
   const packing row = row_of_grains();
   auto b = dry_bonds(wet(rupture::lian{}, protocol::homogeneous{}), row);
-  b.book().introduce(0.0061);
-  for (int k = 0; k < 1000; ++k) distribute_homogeneously(b, row.view(), {1.5, static_cast<std::uint64_t>(k)});
+  b.introduce(0.0061);
+  for (int k = 0; k < 1000; ++k) distribute(b, row.view(), {1.5, static_cast<std::uint64_t>(k)});
   CHECK(std::abs(b.book().total() - 0.0061) < 1e-13 * 0.0061);
 }
 
 TEST_CASE("liquid below the minimum volume goes to the grains in proportion to R^3 and not into bridges") {
   const packing row = row_of_grains();  // sum of R^3 over the grains: 5 + 3 * 8 = 29
   auto b = dry_bonds(wet(rupture::lian{}, formation::at_contact{0.01}), row);
-  b.book().introduce(0.029);
-  CHECK(distribute_homogeneously(b, row.view(), {}).formations == 0);
+  b.introduce(0.029);
+  CHECK(distribute(b, row.view(), {}).formations == 0);
   CHECK(b.count() == 0);
   CHECK(b.book().films()[0] == within(1e-14, 0.001));
   CHECK(b.book().films()[1] == within(1e-14, 0.008));
@@ -118,8 +118,8 @@ TEST_CASE("liquid that no pair can take goes to the grains even where there is n
   two.pairs = {{0, 1}};
   two.listed();
   auto b = dry_bonds(wet(rupture::lian{}, formation::at_contact{0}), two);
-  b.book().introduce(0.009);
-  distribute_homogeneously(b, two.view(), {});
+  b.introduce(0.009);
+  distribute(b, two.view(), {});
   CHECK(b.book().films()[0] == within(1e-14, 0.001));
   CHECK(b.book().films()[1] == within(1e-14, 0.008));
 }
@@ -131,8 +131,8 @@ TEST_CASE("films of a distribution that reached no pair make a bridge at the fir
   two.pairs = {{0, 1}};
   two.listed();
   auto b = dry_bonds(wet(rupture::lian{}, protocol::grain_films{}), two);
-  b.book().introduce(0.01);
-  CHECK(distribute_homogeneously(b, two.view(), {}).formations == 0);
+  b.introduce(0.01);
+  CHECK(distribute(b, two.view(), {}).formations == 0);
   CHECK(b.book().films()[0] == 0.005);
   CHECK(b.forms(0, -1e-6, 1e-6));
   CHECK(two.settle(b, {-1e-6}).formations == 1);
@@ -147,7 +147,7 @@ TEST_CASE("no pair expects a bridge from films that a distribution has taken awa
   chain.listed();
   auto b = bonds_of(wet(rupture::lian{}, protocol::grain_films{}), chain, {0.001}, {0, 0, 0.001});
   CHECK(b.forms(1, -1e-6, 1e-6));
-  distribute_homogeneously(b, chain.view(), {});
+  distribute(b, chain.view(), {});
   CHECK(b.book().bonds()[0] == within(1e-15, 0.002));
   CHECK_FALSE(b.forms(1, -1e-6, 1e-6));
 }

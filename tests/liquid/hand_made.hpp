@@ -89,8 +89,10 @@ struct packing {
   }
   template <class Liquid>
   bond_events settle(bonds<Liquid>& b, const std::vector<double>& gap, const std::vector<double>& before) const {
-    return settle_bonds(
+    const bond_events until_now = b.events();
+    settle_bonds(
         b, view(), gap_history{gap, before}, [this](std::size_t grain) -> const auto& { return of_grain[grain]; });
+    return {b.events().ruptures - until_now.ruptures, b.events().formations - until_now.formations};
   }
 };
 
@@ -99,18 +101,27 @@ template <class Liquid>
 bonds<Liquid> bonds_of(const Liquid& policies, const packing& grains, const std::vector<double>& volumes,
                        const std::vector<double>& films) {
   bonds<Liquid> b(policies);
-  b.book().resize_films(grains.radius.size());
+  b.resize_films(grains.radius.size());
   for (std::size_t k = 0; k < films.size(); ++k) {
-    b.book().introduce(films[k]);
-    b.book().transfer(ledger::reservoir(), ledger::film_of(k), films[k]);
+    b.introduce(films[k]);
+    b.move_film(ledger::reservoir(), ledger::film_of(k), films[k]);
   }
   b.carry({}, grains.view());
   for (std::size_t p = 0; p < volumes.size(); ++p) {
-    b.book().introduce(volumes[p]);
+    b.introduce(volumes[p]);
     b.move(ledger::reservoir(), ledger::bond_of(p), volumes[p], p, 0.0, grains.view());
   }
   b.restore_work(0);
   return b;
+}
+
+/// Answers what happened to the bridges.
+template <class Liquid>
+bond_events distribute(bonds<Liquid>& b, const pair_view& view, const bond_selection& selection) {
+  const bond_events until_now = b.events();
+  b.select(selection);
+  distribute_homogeneously(b, view);
+  return {b.events().ruptures - until_now.ruptures, b.events().formations - until_now.formations};
 }
 
 template <class... Policies>

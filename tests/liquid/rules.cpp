@@ -123,7 +123,7 @@ TEST_CASE("bridges made beyond what their laws say they are valid for are counte
   c.listed();
   auto b = bonds_of(wet(rupture::lian{}, protocol::grain_films{}), c, {}, {});
   const auto pour = [&](std::size_t pair, double volume) {
-    b.book().introduce(volume);
+    b.introduce(volume);
     b.move(ledger::reservoir(), ledger::bond_of(pair), volume, pair, 0.0, c.view());
     b.made(pair, c.view());
   };

@@ -260,7 +260,7 @@ TEST_CASE("the energy book of the bridges gets what forming, refilling and break
   CHECK(b.work() == within(1e-13, held(-0.01, 0.2)));
   CHECK(b.energy(0, 0.05, c.view()) == within(1e-13, held(0.05, 0.2)));
   CHECK(b.energy(0, 0.21, c.view()) == 0);
-  b.book().introduce(0.1);
+  b.introduce(0.1);
   b.move(ledger::reservoir(), ledger::bond_of(0), 0.1, 0, 0.05, c.view());
   CHECK(b.work() == within(1e-13, held(-0.01, 0.2) + held(0.05, 0.3) - held(0.05, 0.2)));
   const double before = b.work();

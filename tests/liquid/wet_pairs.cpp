@@ -31,8 +31,8 @@ template <class Protocol>
 auto distributed(const Protocol& p, double volume, const bond_selection& selection) {
   const packing c = row();
   auto b = bonds_of(wet(rupture::lian{}, p), c, {}, {});
-  b.book().introduce(volume);
-  distribute_homogeneously(b, c.view(), selection);
+  b.introduce(volume);
+  distribute(b, c.view(), selection);
   CHECK(b.book().total() == within(1e-15, volume));
   return b;
 }
@@ -164,8 +164,8 @@ TEST_CASE("at a wall that carries bridges the gap is asked, too") {
   c.floor = {{0, 0, 0.0, {0, 0, -1}}, {1, 0, 0.3, {0, 0, -1}}};
   const auto wetted = [&](double widest_gap) {
     auto b = bonds_of(wet(rupture::lian{}, protocol::homogeneous{}), c, {}, {});
-    b.book().introduce(0.2);
-    distribute_homogeneously(b, c.view(), {.widest_gap = widest_gap});
+    b.introduce(0.2);
+    distribute(b, c.view(), {.widest_gap = widest_gap});
     return b.count();
   };
   CHECK((wetted(0) == 1 && wetted(0.29) == 1 && wetted(0.31) == 2));

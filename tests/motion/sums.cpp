@@ -56,7 +56,9 @@ std::vector<total> sums_of(const System& s) {
   s.for_each_wall([&](const auto&, const auto& wall) {
     for (std::size_t k = 0; k < wall.size(); ++k) {
       sums[wall.row(k)].force += wall.force(k);
-      sums[wall.row(k)].torque += wall.torque(k);
+      if constexpr (System::grains_type::rotate) {
+        sums[wall.row(k)].torque += wall.torque(k);
+      }
       sums[wall.row(k)].contacts += wall.gap(k) < 0 ? 1 : 0;
     }
   });

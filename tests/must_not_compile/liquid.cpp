@@ -4,7 +4,7 @@
 // expect 3: a liquid needs exactly one capillary law, such as capillary::richefeu{}
 // expect 4: a liquid needs exactly one rupture law, such as rupture::lian{}
 // expect 5: a liquid takes at most one formation rule
-// expect 6: every policy of a liquid must be a fluid, a capillary, rupture or viscous bridge law, a formation rule, a protocol or none
+// expect 6: every policy of a liquid must be a fluid, a capillary, rupture or viscous bridge law, a formation rule, a protocol, a source or none
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/rupture/lian.hpp>
@@ -18,7 +18,8 @@ double tension_of_water() {
 #if PENDULAR_MISTAKE == 1
   const liquid water{capillary::richefeu{}, rupture::lian{}};
 #elif PENDULAR_MISTAKE == 2
-  const liquid water{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::gravity{}, protocol::grain_films{}};
+  const liquid water{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::gravity{},
+                     protocol::grain_films{}};
 #elif PENDULAR_MISTAKE == 3
   const liquid water{fluid::water(), rupture::lian{}};
 #elif PENDULAR_MISTAKE == 4
@@ -29,7 +30,8 @@ double tension_of_water() {
 #elif PENDULAR_MISTAKE == 6
   const liquid water{fluid::water(), capillary::richefeu{}, rupture::lian{}, normal::linear{1e3}};
 #else
-  const liquid water{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::gravity{}, formation::at_contact{}};
+  const liquid water{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::gravity{},
+                     formation::at_contact{}};
 #endif
   return water.substance().surface_tension;
 }

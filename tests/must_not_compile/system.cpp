@@ -4,6 +4,7 @@
 // expect 3: a system needs its walls between material or liquid and integrator, such as boundary::walls{}
 // expect 4: a wall with friction needs grains with friction
 // expect 5: a wall with friction::viscous_coulomb needs grains with it too
+// expect 6: an observer is called with `const system&`, or has a `notice(const bridge_event&)`, or both
 #include <pendular/boundary/cylinder.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
@@ -50,6 +51,10 @@ double settled_energy() {
 #endif
   pendular::system scene{glass, walls, integrator};
   scene.add({{0, 0, 1e-3}, 1e-3, 2600});
-  scene.run(10);
+#if PENDULAR_MISTAKE == 6
+  scene.run(10, [](const bridge_event&) {});
+#else
+  scene.run(10, [](const auto& s) { (void)s.time(); });
+#endif
   return observe::energies_of(scene).balance();
 }

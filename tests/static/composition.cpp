@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a scene does not choose does not exist: composed types, their columns, memories and sizes.
-#include <pendular/boundary/cylinder.hpp>
+#include <pendular/boundary/rimmed_cylinder.hpp>
 #include <pendular/law/all.hpp>
 #include <pendular/liquid/protocol/all.hpp>
+#include <pendular/liquid/source/all.hpp>
 #include <pendular/system.hpp>
 #include <pendular/testing/archetypes.hpp>
 
@@ -166,6 +167,106 @@ static_assert(LocalProtocol<local_twin> && Protocol<local_twin>);
 static_assert(!Protocol<no_offer> && !Protocol<no_merge> && !Protocol<no_settle> && !Protocol<no_pull>);
 static_assert(!Protocol<pull_without_volume> && !Protocol<forgetful_pull> && !Protocol<fixed_protocol>);
 static_assert(!Protocol<wordy_period> && !Protocol<none> && !Protocol<int>);
+struct only_a_period {
+  std::int64_t period = 10;
+};
+struct global_twin : only_a_period {
+  void redistribute(auto& door) const { door.break_bridge(0); }
+};
+struct changing_global : only_a_period {
+  void redistribute(auto& door) { door.break_bridge(0); }
+};
+struct global_source : only_a_period {
+  void redistribute(auto& door) const requires requires {
+    door.wet_grain(0, 1.0);
+  }  // a protocol creates no liquid: its door has no outside
+  {}
+};
+static_assert(GlobalProtocol<global_twin> && !Protocol<only_a_period> && !Protocol<changing_global>);
+static_assert(!Protocol<global_source>);
+
+// The least a source is, and every clause knocked out.
+struct source_twin {
+  int period = 10;
+  const char* account = "well";
+  void act(auto& door) const { door.wet_grain(0, 1e-12 * door.time_span()); }
+};
+struct source_without_period {
+  const char* account = "well";
+  void act(auto&) const {}
+};
+struct source_without_account {
+  int period = 10;
+  void act(auto&) const {}
+};
+struct source_without_act {
+  int period = 10;
+  const char* account = "well";
+};
+struct changing_source : source_without_act {
+  void act(auto&) {}
+};
+struct fixed_source : source_twin {
+  fixed_source& operator=(const fixed_source&) = delete;
+};
+static_assert(Source<source_twin> && Source<source::evaporation> && Source<source::wetting<>>);
+static_assert(!Source<source_without_period> && !Source<source_without_account> && !Source<source_without_act> &&
+              !Source<changing_source> && !Source<fixed_source> && !Source<none> && !Source<protocol::homogeneous>);
+static_assert(with<source_twin, source::evaporation>::has_sources && !water_and_laws::has_sources);
+static_assert(boost::hana::unpack(source::all, [](auto... s) { return (Source<typename decltype(s)::type> && ...); }));
+
+// An observer looks at steps, is told of events, or both.
+struct looks {
+  void operator()(const wet_scene&) {}
+};
+struct listens {
+  void notice(const bridge_event&) {}
+};
+struct meddles {
+  void operator()(wet_scene&) {}
+};
+static_assert(Observer<null_observer, wet_scene> && Observer<looks, wet_scene> && Observer<listens, wet_scene>);
+static_assert(!Observer<meddles, wet_scene> && !Observer<looks, dry_scene> && !Observer<none, wet_scene>);
+
+// A drive has one velocity or a field of them, and moves its shape.
+struct drive_twin {
+  vector velocity;
+  void move(boundary::plane&, const vector&, double) {}
+};
+struct field_twin {
+  template <class T>
+  Vec3<T> velocity_at(const Vec3<T>& p) const {
+    return p;
+  }
+  vector pivot() const { return {}; }
+  double approach_speed() const { return 0; }
+  void move(boundary::plane&, const boundary::wall_load&, double) {}
+};
+struct drive_without_velocity {
+  void move(boundary::plane&, const vector&, double) {}
+};
+struct drive_without_move {
+  vector velocity;
+};
+struct field_without_pivot : drive_without_velocity {
+  Vec3<double> velocity_at(const Vec3<double>& p) const { return p; }
+  double approach_speed() const { return 0; }
+};
+struct field_without_speed : drive_without_velocity {
+  Vec3<double> velocity_at(const Vec3<double>& p) const { return p; }
+  vector pivot() const { return {}; }
+};
+template <class D>
+inline constexpr bool drives_plane = boundary::Drive<D, boundary::plane>;
+static_assert(drives_plane<drive_twin> && drives_plane<field_twin> && drives_plane<boundary::fixed> &&
+              drives_plane<boundary::constant_velocity> && drives_plane<boundary::turning> &&
+              drives_plane<boundary::servo_stress>);
+static_assert(!drives_plane<drive_without_velocity> && !drives_plane<drive_without_move> &&
+              !drives_plane<field_without_pivot> && !drives_plane<field_without_speed> && !drives_plane<none>);
+static_assert(!boundary::Drive<drive_twin, boundary::cylinder> &&
+              !boundary::Drive<boundary::servo_stress, boundary::cylinder> &&
+              boundary::Drive<boundary::turning, boundary::cylinder> &&
+              boundary::Drive<boundary::turning, boundary::rimmed_cylinder>);
 
 struct rule_twin {
   int minimum_volume;

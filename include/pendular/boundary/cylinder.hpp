@@ -26,6 +26,7 @@ namespace detail {
 template <class Round>
 void validate_round(const Round& c) {
   constexpr auto page = "docs/reference/boundary.md";
+  expect_finite("the distance of a point of a cylinder's axis (m)", c.point);
   const double length = norm(c.direction);
   expects(std::abs(length - 1) < 1e-9, "the length of a cylinder's direction", length, "1", page);
   expects(c.radius > 0 && std::isfinite(c.radius), "the radius of a cylinder (m)", c.radius, "positive and finite",

@@ -2,8 +2,51 @@
 #pragma once
 
 #include <pendular/boundary/plane.hpp>
+#include <pendular/boundary/turn.hpp>
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <string_view>
 
 namespace pendular::boundary {
+
+/// What grains do to a wall in a step.
+struct wall_load {
+  vector force{0, 0, 0};   // N
+  vector torque{0, 0, 0};  // about the pivot of its drive, N m; only where the drive turns
+  double power = 0;        // of the wall on the grains, W; only where the drive turns
+};
+
+/// A drive that moves all points of a wall alike.
+template <class D>
+concept HasOneVelocity = requires(const D drive) {
+  { drive.velocity } -> std::convertible_to<vector>;
+};
+
+/// A drive that moves every point of a wall with a velocity of its own, and turns it about a pivot.
+template <class D>
+concept HasVelocityField = requires(const D drive, const Vec3<double>& point) {
+  { drive.velocity_at(point) } -> std::convertible_to<Vec3<double>>;
+  { drive.pivot() } -> std::convertible_to<vector>;
+  { drive.approach_speed() } -> std::convertible_to<double>;
+};
+
+/// What moves a wall of a shape: the velocity of its points, and `move(shape, force or load, time step)` once per step.
+template <class D, class Shape>
+concept Drive = std::copyable<D> &&(HasOneVelocity<D> || HasVelocityField<D>)&&(
+    requires(D drive, Shape& shape, const wall_load& load) { drive.move(shape, load, 1e-6); } ||
+    requires(D drive, Shape& shape, const vector& force) { drive.move(shape, force, 1e-6); });
+
+/// Largest speed at which a wall may come nearer to a grain, m/s.
+template <class D>
+double approach_speed(const D& drive) {
+  if constexpr (HasOneVelocity<D>) {
+    return norm(vector(drive.velocity));
+  } else {
+    return drive.approach_speed();
+  }
+}
 
 /// A wall that stays where it is.
 struct fixed {
@@ -22,16 +65,42 @@ struct constant_velocity {
   }
 };
 
+/// A wall that turns about an axis at a constant rate: a drum, its end plates, a ring, a vane. What stays in itself, a
+/// cylinder about its own axis or a plane across it, is not moved at all; its surface still drags what touches it.
+struct turning {
+  static constexpr std::array<std::string_view, 1> state{"torque"};  // what is no parameter
+  vector point;                                                      // any point of the axis, m
+  vector axis;                                                       // unit vector
+  double rate;                                                       // about it, right-handed, rad/s
+  double reach = 0;        // of the surface from the axis, m; only for a shape that does not stay in itself
+  vector torque{0, 0, 0};  // of the grains on the wall about the point, in the last step, N m
+
+  template <Scalar T>
+  Vec3<T> velocity_at(const Vec3<T>& p) const {
+    const Vec3<T> spin{T(rate * axis.x), T(rate * axis.y), T(rate * axis.z)};
+    return cross(spin, Vec3<T>{p.x - T(point.x), p.y - T(point.y), p.z - T(point.z)});
+  }
+  const vector& pivot() const { return point; }
+  double approach_speed() const { return std::abs(rate) * reach; }
+
+  template <class Geometry>
+  void move(Geometry& wall, const wall_load& load, double time_step) {
+    torque = load.torque;
+    if (!stays_in_itself(wall, point, axis)) turn(wall, point, axis, rate * time_step);
+  }
+};
+
 /// A plane lid pressed into the grains by a constant stress: a free mass along the normal, with a dashpot so that it
 /// does not bounce. The stress is that of the load alone; the lid has no weight. It can slide along its plane: of
 /// `sliding` the part along the plane counts.
 struct servo_stress {
-  double stress;             // Pa
-  double area;               // m2
-  double mass;               // of the lid, kg
-  double damping;            // N s/m
-  vector velocity{0, 0, 0};  // m/s
-  vector sliding{0, 0, 0};   // m/s
+  static constexpr std::array<std::string_view, 1> state{"velocity"};  // what is no parameter
+  double stress;                                                       // Pa
+  double area;                                                         // m2
+  double mass;                                                         // of the lid, kg
+  double damping;                                                      // N s/m
+  vector velocity{0, 0, 0};                                            // m/s
+  vector sliding{0, 0, 0};                                             // m/s
 
   void move(plane& wall, const vector& force, double time_step) {
     const double inward = dot(velocity, wall.normal);
@@ -42,6 +111,18 @@ struct servo_stress {
   }
 };
 
+inline void validate(const constant_velocity& c) { detail::expect_finite("the speed of a wall (m/s)", c.velocity); }
+
+inline void validate(const turning& t) {
+  constexpr auto page = "docs/reference/boundary.md";
+  detail::expect_finite("the distance of a point of a wall's axis (m)", t.point);
+  const double length = norm(t.axis);
+  expects(std::abs(length - 1) < 1e-9, "the length of a wall's axis", length, "1", page);
+  expects(std::isfinite(t.rate), "the rate at which a wall turns (rad/s)", t.rate, "finite", page);
+  expects(t.reach >= 0 && std::isfinite(t.reach), "the reach of a turning wall (m)", t.reach, "at least 0 and finite",
+          page);
+}
+
 inline void validate(const servo_stress& s) {
   constexpr auto page = "docs/reference/boundary.md";
   expects(s.stress >= 0 && std::isfinite(s.stress), "the stress of a lid (Pa)", s.stress, "at least 0 and finite",
@@ -50,7 +131,8 @@ inline void validate(const servo_stress& s) {
   expects(s.mass > 0 && std::isfinite(s.mass), "the mass of a lid (kg)", s.mass, "positive and finite", page);
   expects(s.damping >= 0 && std::isfinite(s.damping), "the damping of a lid (N s/m)", s.damping,
           "at least 0 and finite", page);
-  expects(std::isfinite(norm(s.sliding)), "the speed at which a lid slides (m/s)", norm(s.sliding), "finite", page);
+  detail::expect_finite("the speed of a lid (m/s)", s.velocity);
+  detail::expect_finite("the speed at which a lid slides (m/s)", s.sliding);
 }
 
 }  // namespace pendular::boundary

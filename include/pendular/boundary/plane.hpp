@@ -5,6 +5,7 @@
 #include <pendular/core/vec.hpp>
 
 #include <cmath>
+#include <string_view>
 
 namespace pendular::boundary {
 
@@ -28,7 +29,14 @@ struct plane {
   }
 };
 
+namespace detail {
+inline void expect_finite(std::string_view what, const vector& v) {
+  expects(std::isfinite(dot(v, v)), what, norm(v), "finite", "docs/reference/boundary.md");
+}
+}  // namespace detail
+
 inline void validate(const plane& p) {
+  detail::expect_finite("the distance of a plane's point (m)", p.point);
   const double length = norm(p.normal);
   expects(std::abs(length - 1) < 1e-9, "the length of a plane's normal", length, "1", "docs/reference/boundary.md");
 }

@@ -21,7 +21,7 @@ struct wettable {};
 
 /// A wall: its shape, what moves it, its contact law where that differs from the grains', and `wettable{}` where it
 /// carries bridges.
-template <class Shape, class Drive = fixed, class Material = none, class Wetting = none>
+template <class Shape, class Mover = fixed, class Material = none, class Wetting = none>
 struct wall {
   static_assert(std::is_same_v<Wetting, none> || std::is_same_v<Wetting, wettable>,
                 "the last part of a wall is wettable{} or nothing (docs/reference/boundary.md)");
@@ -29,34 +29,52 @@ struct wall {
   static_assert(Geometry<Shape>,
                 "a wall's shape needs `template <Scalar T> meeting<T> meet(const Vec3<T>& centre, const T& radius) "
                 "const` (docs/reference/boundary.md)");
+  static_assert(Drive<Mover, Shape>,
+                "a wall's drive needs a `velocity`, or `velocity_at(point)`, `pivot()` and `approach_speed()`, and "
+                "`void move(shape, load, time_step)` (docs/reference/boundary.md)");
   Shape shape;
-  Drive drive;
+  Mover drive;
   Material material;      // `none`: the material of the grains
   vector force{0, 0, 0};  // of the grains on the wall in the last step, N
   double work = 0;        // done by the wall on the grains since the start, J
 
-  explicit wall(Shape s, Drive d = {}, Material m = {}, Wetting = {}) : shape(s), drive(d), material(m) {
+  explicit wall(Shape s, Mover d = {}, Material m = {}, Wetting = {}) : shape(s), drive(d), material(m) {
     if constexpr (requires { validate(shape); }) validate(shape);
     if constexpr (requires { validate(drive); }) validate(drive);
   }
 
-  void move(double time_step) { drive.move(shape, force, time_step); }
+  double approach_speed() const { return boundary::approach_speed(drive); }  // m/s
 
-  /// The force of this step, after the wall has moved for `time_step`.
-  void take(const vector& now, double time_step) {
-    work -= 0.5 * time_step * dot(force + now, vector(drive.velocity));
-    force = now;
+  void move(double time_step) {
+    if constexpr (requires { drive.move(shape, load, time_step); }) {
+      drive.move(shape, load, time_step);
+    } else {
+      drive.move(shape, force, time_step);
+    }
   }
+
+  /// The load of this step, after the wall has moved for `time_step`.
+  void take(const wall_load& now, double time_step) {
+    if constexpr (HasOneVelocity<Mover>) {
+      work -= 0.5 * time_step * dot(force + now.force, vector(drive.velocity));
+    } else {
+      work += 0.5 * time_step * (load.power + now.power);
+      load = now;
+    }
+    force = now.force;
+  }
+
+  [[no_unique_address]] std::conditional_t<HasOneVelocity<Mover>, none, wall_load> load = {};  // of the last step
 };
 
 template <class Shape>
 wall(Shape) -> wall<Shape>;
-template <class Shape, class Drive>
-wall(Shape, Drive) -> wall<Shape, Drive>;
-template <class Shape, class Drive, class Material>
-wall(Shape, Drive, Material) -> wall<Shape, Drive, Material>;
-template <class Shape, class Drive, class Material, class Wetting>
-wall(Shape, Drive, Material, Wetting) -> wall<Shape, Drive, Material, Wetting>;
+template <class Shape, class Mover>
+wall(Shape, Mover) -> wall<Shape, Mover>;
+template <class Shape, class Mover, class Material>
+wall(Shape, Mover, Material) -> wall<Shape, Mover, Material>;
+template <class Shape, class Mover, class Material, class Wetting>
+wall(Shape, Mover, Material, Wetting) -> wall<Shape, Mover, Material, Wetting>;
 
 /// All walls of a scene.
 template <class... Walls>

@@ -28,8 +28,8 @@ struct wall_contacts_of<Material, Bonds, boundary::walls<W...>> {
   static_assert(((!wall_material<W, Material>::counts_contacts || Material::counts_contacts) && ...),
                 "a wall with friction::viscous_coulomb needs grains with it too, because it counts their contacts "
                 "(docs/reference/boundary.md)");
-  using type =
-      std::tuple<boundary::wall_contacts<W, wall_material<W, Material>, Bonds, Material::keeps_energy_book>...>;
+  using type = std::tuple<boundary::wall_contacts<W, wall_material<W, Material>, Bonds, Material::has_friction,
+                                                  Material::keeps_energy_book>...>;
 };
 
 }  // namespace pendular::detail

@@ -10,20 +10,20 @@
 namespace pendular::boundary {
 
 /// visit(wall, its contacts, its place) for the walls of a scene that carry bridges, in the order they were given.
-template <class System, class Visit>
-void for_each_wet_wall(const System& s, const Visit& visit) {
+template <class Rows, class Visit>
+void for_each_wet_wall(const Rows& rows, const Visit& visit) {
   std::int32_t place = 0;
-  s.for_each_wall([&](const auto& wall, const auto& contacts) {
+  rows.for_each_wall([&](const auto& wall, const auto& contacts) {
     if constexpr (std::remove_cvref_t<decltype(contacts)>::carries_bridges) visit(wall, contacts, place);
     ++place;
   });
 }
 
 /// The grains near these walls, as rows of the bonds after those of the pairs.
-template <class System>
-void append_wet_rows(const System& s, pair_view& view) {
-  for_each_wet_wall(s, [&](const auto& wall, const auto& contacts, std::int32_t place) {
-    contacts.append_rows(s.particles(), wall, place, view);
+template <class Rows, class Grains>
+void append_wet_rows(const Rows& rows, const Grains& g, pair_view& view) {
+  for_each_wet_wall(rows, [&](const auto& wall, const auto& contacts, std::int32_t place) {
+    contacts.append_rows(g, wall, place, view);
   });
 }
 
@@ -39,11 +39,11 @@ struct joined_gaps {
   }
 };
 
-template <class System>
-joined_gaps gaps_of_all_rows(const System& s) {
+template <class Rows>
+joined_gaps gaps_of_all_rows(const Rows& rows) {
   joined_gaps all;
-  all.add(s.contacts().gaps());
-  for_each_wet_wall(s, [&](const auto&, const auto& contacts, std::int32_t) { all.add(contacts.gaps()); });
+  all.add(rows.contacts().gaps());
+  for_each_wet_wall(rows, [&](const auto&, const auto& contacts, std::int32_t) { all.add(contacts.gaps()); });
   return all;
 }
 

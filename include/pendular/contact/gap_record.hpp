@@ -32,15 +32,14 @@ class gap_record {
     return gap;
   }
 
-  /// Follows the rows into a new list; one that was not listed was apart.
-  void carry(std::span<const std::int32_t> origin, std::size_t rows) {
+  /// Follows the rows into a new list, as they stand; one that was not listed was apart. Where all gaps are evaluated anew
+  /// at once only those of before are kept.
+  void carry(std::span<const std::int32_t> origin, std::size_t rows, bool keeps_now) {
     std::vector<double> moved(rows, std::numeric_limits<double>::infinity());
-    if constexpr (KeepsBefore) {
-      for (std::size_t p = 0; p < origin.size(); ++p) {
-        if (origin[p] >= 0) moved[p] = now_[static_cast<std::size_t>(origin[p])];
-      }
-      before_.assign(rows, 0.0);
+    for (std::size_t p = 0; (KeepsBefore || keeps_now) && p < origin.size(); ++p) {
+      if (origin[p] >= 0) moved[p] = now_[static_cast<std::size_t>(origin[p])];
     }
+    if constexpr (KeepsBefore) before_ = moved;
     now_.swap(moved);
   }
 

@@ -76,6 +76,16 @@ class material {
     std::apply([&](const auto&... policy) { (validate_one(policy), ...); }, policies_);
   }
 
+  /// visit(policy) in the order they were given.
+  template <class Visit>
+  void for_each_policy(const Visit& visit) {
+    std::apply([&](auto&... policy) { (visit(policy), ...); }, policies_);
+  }
+  template <class Visit>
+  void for_each_policy(const Visit& visit) const {
+    std::apply([&](const auto&... policy) { (visit(policy), ...); }, policies_);
+  }
+
   const normal_law& normal() const { return detail::player<detail::plays_normal>(policies_); }
   const damping_law& damping() const { return detail::player<detail::plays_damping>(policies_); }
   const friction_law& friction() const { return detail::player<detail::plays_friction>(policies_); }

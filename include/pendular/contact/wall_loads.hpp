@@ -11,7 +11,7 @@
 namespace pendular {
 
 /// What walls do to the grains near them in a step, collected before the pairs are added.
-template <class Grains>
+template <bool Rotates>
 class wall_loads {
  public:
   /// Forgets the grains of an old list.
@@ -29,36 +29,37 @@ class wall_loads {
     }
   }
 
-  void clear() { std::fill(loads_.begin(), loads_.end(), action_row<Grains::rotate>{}); }
+  void clear() { std::fill(loads_.begin(), loads_.end(), action_row<Rotates>{}); }
 
   template <class WallContacts>
   void add(const WallContacts& wall) {
+    const action_row<Rotates>* actions = wall.actions();
     for (std::size_t k = 0; k < wall.size(); ++k) {
       auto& sum = loads_[static_cast<std::size_t>(place_[wall.row(k)])];
-      pendular::add(push_of(sum), wall.force(k), wall.gap(k) < 0 ? 1 : 0);
-      if constexpr (Grains::rotate) pendular::add(sum.high, wall.torque(k), 0);
+      pendular::add(push_of(sum), vector_of(push_of(actions[k])), push_of(actions[k]).d);
+      if constexpr (Rotates) pendular::add(sum.high, vector_of(actions[k].high), 0);
     }
   }
 
   /// To be kept in a local variable.
   class view {
    public:
-    view(const std::int32_t* place, const action_row<Grains::rotate>* loads) : place_(place), loads_(loads) {}
+    view(const std::int32_t* place, const action_row<Rotates>* loads) : place_(place), loads_(loads) {}
     /// On a grain, all zeros where no wall is near.
-    const action_row<Grains::rotate>& on(std::size_t row) const {
-      static constexpr action_row<Grains::rotate> nothing{};
+    const action_row<Rotates>& on(std::size_t row) const {
+      static constexpr action_row<Rotates> nothing{};
       return place_[row] < 0 ? nothing : loads_[place_[row]];
     }
 
    private:
     const std::int32_t* place_;
-    const action_row<Grains::rotate>* loads_;
+    const action_row<Rotates>* loads_;
   };
   view by_grain() const { return {place_.data(), loads_.data()}; }
 
  private:
   std::vector<std::int32_t> place_;  // of a grain among the loads, or -1
-  std::vector<action_row<Grains::rotate>> loads_;
+  std::vector<action_row<Rotates>> loads_;
 };
 
 }  // namespace pendular

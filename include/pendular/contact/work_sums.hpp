@@ -7,6 +7,7 @@
 #include <pendular/core/parallel.hpp>
 #include <pendular/core/scalar_table.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -63,6 +64,15 @@ class work_sums {
   }
   void restore(const contact_work& work) { folded_ = work; }
 
+  /// The last forces of a block of rows, and one of them put back.
+  using last_block = std::array<dissipative_force<double>, lane_count>;
+  last_block last_of(std::size_t first_row) const {
+    last_block rows;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = last_.row(first_row + lane);
+    return rows;
+  }
+  void restore_last(std::size_t row, const last_block& rows, std::size_t lane) { last_.set_row(row, rows[lane]); }
+
   scalar_table<dissipative_force>& last_forces() { return last_; }
   const scalar_table<dissipative_force>& last_forces() const { return last_; }
 
@@ -91,6 +101,9 @@ class no_work_sums {
   void fold() {}
   contact_work total() const { return {}; }
   void restore(const contact_work&) {}
+  struct last_block {};
+  last_block last_of(std::size_t) const { return {}; }
+  void restore_last(std::size_t, const last_block&, std::size_t) {}
 };
 
 template <bool KeepsBook>

@@ -33,8 +33,11 @@ class columns {
     size_ = size;
   }
 
-  /// Row k becomes what was row order[k]; order must be a permutation of 0 .. size() - 1.
-  void permute(std::span<const std::size_t> order) { (permute_one<Tags>(order), ...); }
+  /// Row k becomes what was row order[k]; rows that are not in the order are no more.
+  void permute(std::span<const std::size_t> order) {
+    (permute_one<Tags>(order), ...);
+    size_ = order.size();
+  }
 
  private:
   template <class Tag>
@@ -54,7 +57,7 @@ class columns {
   template <class Tag>
   void permute_one(std::span<const std::size_t> order) {
     auto& values = store<Tag>();
-    auto moved = values;
+    std::vector<typename Tag::type> moved(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) moved[k] = values[order[k]];
     values.swap(moved);
   }

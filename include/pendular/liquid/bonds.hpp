@@ -4,6 +4,7 @@
 #include <pendular/core/scalar_table.hpp>
 #include <pendular/law/validity.hpp>
 #include <pendular/liquid/bond_size.hpp>
+#include <pendular/liquid/bridge_event.hpp>
 #include <pendular/liquid/ledger.hpp>
 #include <pendular/liquid/liquid.hpp>
 #include <pendular/liquid/pair_view.hpp>
@@ -13,12 +14,16 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pendular {
 
 /// The bridges of a scene: the ledger, and per pair what a step needs of it (the coefficients of the capillary law, the
-/// gap at which the bridge breaks, the gap below which one would form). Rows are those of the pair_view: the pairs of the
+/// gap at which the bridge breaks, the gap below which one would form). The only owner of liquid: nobody else writes to the
+/// ledger, so that pull and thresholds always are those of the volume. Rows are those of the pair_view: the pairs of the
 /// Verlet list, then the grains near walls that carry bridges.
 template <class Liquid>
 class bonds {
@@ -37,13 +42,53 @@ class bonds {
       : liquid_(liquid), idle_(prepare(liquid_.law(), bridge<double>{0, 1e-3, 1, 1}, liquid_.substance())) {}
 
   const Liquid& policies() const { return liquid_; }
-  ledger& book() { return ledger_; }
+  /// To be written to only as long as there is no bridge that was made of them.
+  Liquid& policies() { return liquid_; }
   const ledger& book() const { return ledger_; }
   bool is_bonded(std::size_t p) const { return ledger_.bonds()[p] > 0; }
   std::size_t count() const {
     return static_cast<std::size_t>(
         std::count_if(ledger_.bonds().begin(), ledger_.bonds().end(), [](double v) { return v > 0; }));
   }
+
+  /// As ledger has them.
+  void introduce(double volume) { ledger_.introduce(volume); }
+  void resize_films(std::size_t grains) { ledger_.resize_films(grains); }
+  void permute_films(std::span<const std::size_t> order) { ledger_.permute_films(order); }
+  ledger::account open_outside(std::string_view name) { return ledger_.open_outside(name); }
+
+  /// Bridges that formed and ended, and one by one if they are kept.
+  const bond_events& events() const { return events_; }
+  void restore_events(const bond_events& counts) { events_ = counts; }
+  const std::vector<bridge_event>& log() const { return log_; }
+  std::vector<bridge_event> take_log() { return std::exchange(log_, {}); }
+  void keep_log(bool kept) {
+    keeps_log_ = kept;
+    log_.clear();
+  }
+  void note(bridge_change what, std::size_t p, double gap, double volume, const pair_view& view) {
+    ++(what == bridge_change::formed ? events_.formations : events_.ruptures);
+    if (keeps_log_) log_.push_back({what, view.ids(p), p, gap, volume});
+  }
+
+  /// Whether films have changed since the protocol was last asked: it is then asked though no bridge breaks or forms.
+  bool asks_protocol() const { return asks_protocol_; }
+  void ask_protocol(bool asked = true) { asks_protocol_ = asked; }
+
+  /// Rows whose bridge is another one since the forces were last evaluated, in ascending order.
+  std::vector<std::size_t> changed_rows() const {
+    auto first_changes = changed_;
+    const auto by_row = [](const change& a, const change& c) { return a.row < c.row; };
+    std::stable_sort(first_changes.begin(), first_changes.end(), by_row);
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < first_changes.size(); ++k) {
+      const auto [row, before] = first_changes[k];
+      const bool first = k == 0 || first_changes[k - 1].row != row;
+      if (first && ledger_.bonds()[row] != before) rows.push_back(row);
+    }
+    return rows;
+  }
+  void forget_changed_rows() { changed_.clear(); }
 
   /// Which pairs distributions wet, and what the grains hold that no protocol makes bridges of.
   const bond_selection& selection() const { return selection_; }
@@ -69,11 +114,13 @@ class bonds {
   /// Energy set free by forming, breaking and refilling bridges since the start, J; 0 for a law without energy.
   double work() const { return work_; }
 
-  /// Puts back a bridge as a checkpoint had it.
+  /// Puts back what a checkpoint had.
   void restore(std::size_t p, double volume, const pair_view& view) {
     ledger_.restore(ledger::bond_of(p), volume);
     refresh(p, view);
   }
+  void restore_film(std::size_t grain, double volume) { ledger_.restore(ledger::film_of(grain), volume); }
+  void restore_books(const ledger::books& books) { ledger_.restore(books); }
   void restore_work(double work) { work_ = work; }
 
   /// Pull of a block of pairs, N, zero for pairs without a bridge and beyond rupture.
@@ -148,6 +195,7 @@ class bonds {
           "a liquid bridge lost its pair when the neighbour list was rebuilt (see docs/reference/liquid.md)");
     }
     coefficients_.carry(origin, rows);
+    carry_changed(origin);
     std::vector<double> breaks_above(rows, never);
     for (std::size_t p = 0; p < origin.size(); ++p) {
       if (origin[p] >= 0) breaks_above[p] = breaks_above_[static_cast<std::size_t>(origin[p])];
@@ -162,10 +210,15 @@ class bonds {
   /// Moves liquid to or from bond p and keeps coefficients, thresholds and energy book in step.
   void move(ledger::account from, ledger::account to, double volume, std::size_t p, double gap, const pair_view& view) {
     const double before = energy(p, gap, view);
+    changed_.push_back({p, ledger_.bonds()[p]});
     ledger_.transfer(from, to, volume);
     refresh(p, view);
     work_ += energy(p, gap, view) - before;
   }
+
+  /// Moves liquid between accounts that are no bonds. The thresholds of the pairs of a film are then to be refreshed.
+  void move_film(ledger::account from, ledger::account to, double volume) { ledger_.transfer(from, to, volume); }
+  void empty_film(std::size_t grain, ledger::account to) { ledger_.empty(ledger::film_of(grain), to); }
 
   /// All of bond p, to another account.
   void drain(std::size_t p, ledger::account to, double gap, const pair_view& view) {
@@ -210,6 +263,19 @@ class bonds {
   }
 
  private:
+  void carry_changed(std::span<const std::int32_t> origin) {
+    if (changed_.empty()) return;
+    std::vector<std::size_t> row_now(breaks_above_.size(), origin.size());
+    for (std::size_t p = 0; p < origin.size(); ++p) {
+      if (origin[p] >= 0) row_now[static_cast<std::size_t>(origin[p])] = p;
+    }
+    std::vector<change> now;
+    for (const auto& [row, before] : changed_) {
+      if (row_now[row] < origin.size()) now.push_back({row_now[row], before});
+    }
+    changed_.swap(now);
+  }
+
   double formation_gap(std::size_t p, double size, const pair_view& view) const {
     double available = 0;
     view.for_each_grain_of(p, [&](std::size_t grain) { available += free_film(grain, view); });
@@ -225,6 +291,14 @@ class bonds {
   std::vector<double> breaks_above_, forms_below_;
   double work_ = 0;
   out_of_validity outside_;
+  bond_events events_;
+  std::vector<bridge_event> log_;
+  bool keeps_log_ = false, asks_protocol_ = false;
+  struct change {
+    std::size_t row;
+    double before;  // volume, m3
+  };
+  std::vector<change> changed_;
 };
 
 /// In place of bonds in a dry scene.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/compensated_sum.hpp>
 #include <pendular/core/expects.hpp>
 
 #include <algorithm>
@@ -8,17 +9,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pendular {
 
-/// Every bridge and every film of a scene, m3. Liquid enters by `introduce` and moves by `transfer`, never by
-/// assignment, so the total changes by round-off only.
+/// Every bridge and every film of a scene, and what went out of it or came in, m3. Liquid enters by `introduce` and moves
+/// by `transfer`, never by assignment: what is here and what is outside add up to what was introduced, to round-off.
 class ledger {
  public:
-  enum class kind { film, bond, reservoir };
+  enum class kind { film, bond, reservoir, outside };
 
-  /// A film has the row of its grain, a bond that of its pair; the reservoir is where liquid waits to be distributed.
+  /// A film has the row of its grain, a bond that of its pair; the reservoir is where liquid waits to be distributed; an
+  /// account outside of the scene has the place in which it was opened.
   struct account {
     kind what;
     std::size_t row = 0;
@@ -27,28 +32,53 @@ class ledger {
   static constexpr account bond_of(std::size_t pair) { return {kind::bond, pair}; }
   static constexpr account reservoir() { return {kind::reservoir}; }
 
+  /// Outside of the scene: vapour, spray, what left with a grain. Positive if the scene has lost liquid to it.
+  struct outside_account {
+    std::string name;
+    compensated_sum volume = {};  // m3
+  };
+  std::span<const outside_account> outside() const { return outside_; }
+  /// m3; 0 for an account that was never opened.
+  double outside(std::string_view name) const {
+    for (const outside_account& a : outside_) {
+      if (a.name == name) return a.volume.value();
+    }
+    return 0;
+  }
+  /// The account of this name, a new one if there is none.
+  account open_outside(std::string_view name) {
+    for (std::size_t k = 0; k < outside_.size(); ++k) {
+      if (outside_[k].name == name) return {kind::outside, k};
+    }
+    outside_.push_back({std::string(name)});
+    return {kind::outside, outside_.size() - 1};
+  }
+
   std::span<const double> films() const { return films_; }
   std::span<const double> bonds() const { return bonds_; }
 
   double balance(account a) const {
     if (a.what == kind::film) return films_[a.row];
     if (a.what == kind::bond) return bonds_[a.row];
-    return reservoir_ + residue_;
+    if (a.what == kind::outside) return outside_[a.row].volume.value();
+    return reservoir_.value();
   }
 
   /// New liquid, m3, into the reservoir. Errors: negative or not finite.
   void introduce(double volume) {
     expects(volume >= 0 && std::isfinite(volume), "the liquid volume introduced (m3)", volume, "at least 0 and finite",
             "docs/reference/liquid.md");
-    add_to_reservoir(volume);
+    reservoir_.add(volume);
     introduced_ += volume;
   }
 
-  /// Moves at most what the account has. The reservoir alone may go below 0, by round-off of a full distribution.
+  /// Moves at most what the account has. The reservoir may go below 0, by round-off of a full distribution, and so may
+  /// an account outside, from which liquid comes in.
   void transfer(account from, account to, double volume) {
     expects(volume >= 0 && std::isfinite(volume), "the liquid volume transferred (m3)", volume, "at least 0 and finite",
             "docs/reference/liquid.md");
-    const double moved = from.what == kind::reservoir ? volume : std::min(volume, balance(from));
+    const bool bounded = from.what == kind::film || from.what == kind::bond;
+    const double moved = bounded ? std::min(volume, balance(from)) : volume;
     add(from, -moved);
     add(to, moved);
   }
@@ -62,25 +92,31 @@ class ledger {
 
   double introduced() const { return introduced_; }
 
-  /// Compensated sum of all accounts, m3.
+  /// What must be here, m3: introduced less what is outside. No round-off of the moves within the scene is in it.
+  double here() const {
+    compensated_sum rest{introduced_};
+    for (const outside_account& a : outside_) rest.add(-a.volume.value());
+    return rest.value();
+  }
+
+  /// What is here, counted: all films, bridges and the reservoir, m3.
   double total() const {
-    double sum = reservoir_, lost = residue_;
-    const auto add_one = [&](double v) {
-      const double next = sum + v;
-      lost += std::abs(sum) >= std::abs(v) ? (sum - next) + v : (v - next) + sum;
-      sum = next;
-    };
-    for (const double v : films_) add_one(v);
-    for (const double v : bonds_) add_one(v);
-    return sum + lost;
+    compensated_sum all = reservoir_;
+    for (const double v : films_) all.add(v);
+    for (const double v : bonds_) all.add(v);
+    return all.value();
   }
 
   void resize_films(std::size_t grains) { films_.resize(grains, 0.0); }
 
-  /// Follows the grains into a new storage order.
+  /// Follows the grains into a new storage order. Errors: run_error for a grain that is no more and holds liquid.
   void permute_films(std::span<const std::size_t> order) {
-    const std::vector<double> before = films_;
-    for (std::size_t row = 0; row < order.size(); ++row) films_[row] = before[order[row]];
+    std::vector<double> before = films_;
+    films_.resize(order.size());
+    for (std::size_t row = 0; row < order.size(); ++row) films_[row] = std::exchange(before[order[row]], 0.0);
+    if (std::any_of(before.begin(), before.end(), [](double v) { return v != 0; })) {
+      throw run_error("a grain was taken out with liquid on it (see docs/reference/liquid.md)");
+    }
   }
 
   /// Follows the pairs into a new list of `rows` rows: row p was origin[p], or is new where origin[p] < 0. Answers the
@@ -97,21 +133,23 @@ class ledger {
     for (std::size_t old = 0; old < bonds_.size(); ++old) {
       if (bonds_[old] <= 0) continue;
       orphans.push_back(old);
-      add_to_reservoir(bonds_[old]);
+      reservoir_.add(bonds_[old]);
     }
     bonds_.swap(moved);
     return orphans;
   }
 
-  /// The whole state, as a checkpoint keeps it.
+  /// What a checkpoint keeps besides films and bonds.
   struct books {
-    double reservoir = 0, residue = 0, introduced = 0;
+    compensated_sum reservoir = {};
+    double introduced = 0;
+    std::vector<outside_account> outside = {};
   };
-  books keep() const { return {reservoir_, residue_, introduced_}; }
+  books keep() const { return {reservoir_, introduced_, outside_}; }
   void restore(const books& b) {
     reservoir_ = b.reservoir;
-    residue_ = b.residue;
     introduced_ = b.introduced;
+    outside_ = b.outside;
   }
   /// A film or a bond as a checkpoint had it; only for an account that is still empty.
   void restore(account a, double volume) {
@@ -126,19 +164,17 @@ class ledger {
       films_[a.row] += volume;
     } else if (a.what == kind::bond) {
       bonds_[a.row] += volume;
+    } else if (a.what == kind::outside) {
+      outside_[a.row].volume.add(volume);
     } else {
-      add_to_reservoir(volume);
+      reservoir_.add(volume);
     }
   }
 
-  void add_to_reservoir(double volume) {
-    const double next = reservoir_ + volume;
-    residue_ += std::abs(reservoir_) >= std::abs(volume) ? (reservoir_ - next) + volume : (volume - next) + reservoir_;
-    reservoir_ = next;
-  }
-
   std::vector<double> films_, bonds_;
-  double reservoir_ = 0, residue_ = 0, introduced_ = 0;
+  std::vector<outside_account> outside_;
+  compensated_sum reservoir_;
+  double introduced_ = 0;
 };
 
 }  // namespace pendular

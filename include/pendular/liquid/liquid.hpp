@@ -2,11 +2,13 @@
 #pragma once
 
 #include <pendular/core/bundle.hpp>
+#include <pendular/core/expects.hpp>
 #include <pendular/law/concepts.hpp>
 #include <pendular/law/prepared.hpp>
 #include <pendular/liquid/formation.hpp>
 #include <pendular/liquid/protocol/concepts.hpp>
 #include <pendular/liquid/protocol/none.hpp>
+#include <pendular/liquid/source/concepts.hpp>
 
 #include <concepts>
 #include <tuple>
@@ -29,24 +31,26 @@ inline constexpr auto plays_rupture = []<class P>() { return RuptureLaw<P>; };
 inline constexpr auto plays_viscous = []<class P>() { return ViscousBridgeLaw<P>; };
 inline constexpr auto plays_formation = []<class P>() { return FormationRule<P>; };
 inline constexpr auto plays_protocol = []<class P>() { return Protocol<P>; };
+inline constexpr auto plays_source = []<class P>() { return Source<P>; };
 
 template <class P>
 inline constexpr bool plays_in_liquid =
     std::is_same_v<P, fluid> || CapillaryLaw<P> || RuptureLaw<P> || ViscousBridgeLaw<P> || FormationRule<P> ||
-    Protocol<P> || std::is_same_v<P, none>;
+    Protocol<P> || Source<P> || std::is_same_v<P, none>;
 
 template <class Given, class Default>
 using given_or = std::conditional_t<std::is_same_v<Given, none>, Default, Given>;
 }  // namespace detail
 
 /// The wet side of a scene: fluid, capillary law and rupture law, and at most one viscous bridge law, one formation rule
-/// and one redistribution protocol, in any order. Without a protocol the liquid of a broken bond stays on its grains; without a rule bridges
-/// form within the rupture distance under the homogeneous protocol and at contact otherwise.
+/// and one redistribution protocol, and any number of sources and sinks, in any order. Without a protocol the liquid of a
+/// broken bond stays on its grains; without a rule bridges form within the rupture distance under a global protocol and at
+/// contact otherwise.
 template <class... Policies>
 class liquid {
   static_assert((detail::plays_in_liquid<Policies> && ...),
                 "every policy of a liquid must be a fluid, a capillary, rupture or viscous bridge law, a formation "
-                "rule, a protocol or none (docs/reference/liquid.md)");
+                "rule, a protocol, a source or none (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_fluid, Policies...>() == 1,
                 "a liquid needs exactly one fluid, such as fluid::water() (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_capillary, Policies...>() == 1,
@@ -75,11 +79,16 @@ class liquid {
     requires formation_rule::needs_closing;
   };
   static constexpr bool redistributes_globally = GlobalProtocol<protocol_type>;
+  static constexpr bool has_sources = detail::players<detail::plays_source, Policies...>() > 0;
   static constexpr bool needs_gravity = requires { requires protocol_type::needs_gravity; };
 
   constexpr explicit liquid(Policies... policies) : policies_(policies...) {
-    const auto validate_one = [](const auto& policy) {
+    const auto validate_one = []<class P>(const P& policy) {
       if constexpr (requires { validate(policy); }) validate(policy);
+      if constexpr (Source<P> || GlobalProtocol<P>) {
+        expects(policy.period > 0, "the period of a source or global protocol (steps)",
+                static_cast<double>(policy.period), "at least 1", "docs/reference/liquid.md");
+      }
     };
     std::apply([&](const auto&... policy) { (validate_one(policy), ...); }, policies_);
     const auto match_one = [&](const auto& policy) {
@@ -96,6 +105,25 @@ class liquid {
   const rupture_law& rupture() const { return detail::player<detail::plays_rupture>(policies_); }
   protocol_type redistribution() const { return given<detail::plays_protocol, protocol_type>(); }
   formation_rule formation() const { return given<detail::plays_formation, formation_rule>(); }
+
+  /// visit(policy) in the order they were given.
+  template <class Visit>
+  void for_each_policy(const Visit& visit) {
+    std::apply([&](auto&... policy) { (visit(policy), ...); }, policies_);
+  }
+  template <class Visit>
+  void for_each_policy(const Visit& visit) const {
+    std::apply([&](const auto&... policy) { (visit(policy), ...); }, policies_);
+  }
+
+  /// visit(source) for all sources and sinks in the order they were given.
+  template <class Visit>
+  void for_each_source(const Visit& visit) const {
+    const auto visit_one = [&]<class P>(const P& policy) {
+      if constexpr (Source<P>) visit(policy);
+    };
+    std::apply([&](const auto&... policy) { (visit_one(policy), ...); }, policies_);
+  }
 
   double rupture_distance(const bridge<double>& b) const { return rupture().distance(b, substance()); }
 

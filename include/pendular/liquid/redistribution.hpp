@@ -11,19 +11,14 @@
 
 namespace pendular {
 
-/// What happened to the bridges so far.
-struct bond_events {
-  std::int64_t ruptures = 0;
-  std::int64_t formations = 0;
-};
-
 namespace detail {
 
 /// V_i = V D_i / (D_i + D_j) to the film of i, the rest to that of j (Richefeu et al. 2007, section 3.2). A wall keeps no
 /// film: all that it shared with a grain stays on the grain.
 template <class Liquid>
-void break_bond(bonds<Liquid>& b, std::size_t p, double gap, const pair_view& view) {
+void break_bond(bonds<Liquid>& b, bridge_change how, std::size_t p, double gap, const pair_view& view) {
   const std::size_t i = view.grain_i(p);
+  b.note(how, p, gap, b.book().bonds()[p], view);
   if (view.is_at_wall(p)) {
     b.drain(p, ledger::film_of(i), gap, view);
     return;
@@ -81,17 +76,16 @@ bool makes_bond(const bonds<Liquid>& b, std::size_t p, double volume, double gap
 
 /// Pulls sorted by the ids of pair and grain, carried out pair by pair.
 template <class Liquid>
-std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_view& view, std::span<const double> gap) {
+void carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_view& view, std::span<const double> gap) {
   const auto key = [&](const pull& a) { return std::pair{view.ids(a.pair), view.id[a.grain]}; };
   std::sort(pulls.begin(), pulls.end(), [&](const pull& a, const pull& c) { return key(a) < key(c); });
-  std::int64_t formed = 0;
   for (std::size_t k = 0; k < pulls.size();) {
     std::size_t end = k;
     double volume = 0;
     for (; end < pulls.size() && pulls[end].pair == pulls[k].pair; ++end) volume += pulls[end].volume;
     const std::size_t p = pulls[k].pair;
     if (makes_bond(b, p, volume, gap[p], view)) {
-      formed += b.is_bonded(p) ? 0 : 1;
+      if (!b.is_bonded(p)) b.note(bridge_change::formed, p, gap[p], volume, view);
       for (std::size_t m = k; m < end; ++m) {
         b.move(ledger::film_of(pulls[m].grain), ledger::bond_of(p), pulls[m].volume, p, gap[p], view);
       }
@@ -99,7 +93,6 @@ std::int64_t carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_vi
     }
     k = end;
   }
-  return formed;
 }
 
 /// New thresholds for the pairs without a bridge of all grains whose film has changed.
@@ -115,44 +108,47 @@ void refresh_dry_pairs(bonds<Liquid>& b, std::vector<std::size_t> grains, const 
   }
 }
 
-/// All bridges beyond their rupture distance, in the order of their ids. Answers how many.
+/// These bridges, in the order of their ids.
+template <class Liquid, class GapOf>
+void break_in_order(bonds<Liquid>& b, bridge_change how, std::vector<std::size_t> rows, const pair_view& view,
+                    const GapOf& gap_of) {
+  std::sort(rows.begin(), rows.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
+  for (const std::size_t p : rows) break_bond(b, how, p, gap_of(p), view);
+}
+
+/// All bridges beyond their rupture distance.
 template <class Liquid, class PairsOf>
-std::int64_t break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap,
-                         const PairsOf& pairs_of) {
+void break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap, const PairsOf& pairs_of) {
   std::vector<std::size_t> broken;
   view.for_each_row([&](std::size_t p) {
     if (b.breaks(p, gap[p])) broken.push_back(p);
   });
-  std::sort(broken.begin(), broken.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
-  for (const std::size_t p : broken) break_bond(b, p, gap[p], view);
+  break_in_order(b, bridge_change::broke, broken, view, [&](std::size_t p) { return gap[p]; });
   std::vector<std::size_t> grains;
   for (const std::size_t p : broken) view.for_each_grain_of(p, [&](std::size_t grain) { grains.push_back(grain); });
   refresh_dry_pairs(b, std::move(grains), view, pairs_of);
-  return static_cast<std::int64_t>(broken.size());
 }
-
 }  // namespace detail
 
 /// Bridges torn in one step beyond the range of the list that is about to be made break here, before they lose their
-/// pair; all others wait for settle_bonds. Answers how many.
+/// pair; all others wait for settle_bonds.
 template <class Liquid>
-std::int64_t break_torn_bonds(bonds<Liquid>& b, const pair_view& view, double range) {
-  std::int64_t torn = 0;
+void break_torn_bonds(bonds<Liquid>& b, const pair_view& view, double range) {
+  std::vector<std::size_t> torn;
   view.for_each_row([&](std::size_t p) {
-    if (!b.is_bonded(p) || view.gap(p) < range) return;
-    detail::break_bond(b, p, view.gap(p), view);
-    ++torn;
+    if (b.is_bonded(p) && view.gap(p) >= range) torn.push_back(p);
   });
-  return torn;
+  detail::break_in_order(b, bridge_change::torn, torn, view, [&](std::size_t p) { return view.gap(p); });
+  if (!torn.empty()) b.ask_protocol();
 }
 
 /// Ruptures and formations of one step: bridges beyond their rupture distance give their liquid to the films of their
 /// grains, then a local protocol moves films into bonds. `pairs_of(grain)` lists the pairs of a grain by partner id,
 /// so the result depends neither on the order of the pairs nor on the number of threads.
 template <class Liquid, class PairsOf>
-bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of) {
-  bond_events events;
-  events.ruptures = detail::break_bonds(b, view, gap.now, pairs_of);
+void settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of) {
+  b.ask_protocol(false);
+  detail::break_bonds(b, view, gap.now, pairs_of);
   if constexpr (Liquid::redistributes_locally) {
     std::vector<detail::pull> pulls;
     for (std::size_t grain = 0; grain < view.radius.size(); ++grain) {
@@ -160,31 +156,31 @@ bond_events settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_hist
     }
     std::vector<std::size_t> drained;
     for (const auto& pull : pulls) drained.push_back(pull.grain);
-    events.formations = detail::carry_out(b, pulls, view, gap.now);
+    detail::carry_out(b, pulls, view, gap.now);
     detail::refresh_dry_pairs(b, std::move(drained), view, pairs_of);
   }
-  return events;
 }
 
 namespace detail {
 /// Films in proportion to the size that a grain of a radius has.
-template <class Size>
-void spread_over_grains(ledger& book, const pair_view& view, double volume, const Size& size) {
+template <class Liquid, class Size>
+void spread_over_grains(bonds<Liquid>& b, const pair_view& view, double volume, const Size& size) {
   double sizes = 0;
   for (const double r : view.radius) sizes += size(r);
   for (std::size_t g = 0; g < view.radius.size(); ++g) {
-    book.transfer(ledger::reservoir(), ledger::film_of(g), volume * (size(view.radius[g]) / sizes));
+    b.move_film(ledger::reservoir(), ledger::film_of(g), volume * (size(view.radius[g]) / sizes));
   }
 }
 
 /// The films that the roughness of the grains holds, in proportion to their surface if there is not enough for all.
 /// Answers what is left for bridges, m3.
-inline double fill_roughness(ledger& book, const pair_view& view, double volume, const bond_selection& selection) {
-  const auto held = [&](double radius) { return selection.held_film(radius); };
+template <class Liquid>
+double fill_roughness(bonds<Liquid>& b, const pair_view& view, double volume) {
+  const auto held = [&](double r) { return b.selection().held_film(r); };
   double wanted = 0;
   for (const double r : view.radius) wanted += held(r);
   if (wanted == 0) return volume;
-  spread_over_grains(book, view, std::min(volume, wanted), held);
+  spread_over_grains(b, view, std::min(volume, wanted), held);
   return std::max(0.0, volume - wanted);
 }
 }  // namespace detail
@@ -213,22 +209,21 @@ double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const st
   return farthest;
 }
 
-/// Protocol 1 and the initial state: everything back to the reservoir, then what the grains hold as films, then
-/// V_b = alpha R^3 over all eligible pairs. Liquid that makes no bridge of the minimum volume stays on the grains in
+/// Protocol 1 and the initial state: everything that is here back to the reservoir, then what the grains hold as films,
+/// then V_b = alpha R^3 over all eligible pairs. Liquid that makes no bridge of the minimum volume stays on the grains in
 /// proportion to R^3.
 template <class Liquid>
-bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, const bond_selection& selection) {
-  b.select(selection);
-  const std::vector<candidate> all = candidates(view, selection);
-  std::vector<bool> was_bonded(view.rows());
+void distribute_homogeneously(bonds<Liquid>& b, const pair_view& view) {
+  const std::vector<candidate> all = candidates(view, b.selection());
+  std::vector<double> before(view.rows(), 0.0);
   view.for_each_row([&](std::size_t p) {
-    was_bonded[p] = b.is_bonded(p);
-    if (was_bonded[p]) b.drain(p, ledger::reservoir(), view.gap(p), view);
+    before[p] = b.book().bonds()[p];
+    if (before[p] > 0) b.drain(p, ledger::reservoir(), view.gap(p), view);
   });
-  for (std::size_t g = 0; g < view.radius.size(); ++g) b.book().empty(ledger::film_of(g), ledger::reservoir());
+  for (std::size_t g = 0; g < view.radius.size(); ++g) b.empty_film(g, ledger::reservoir());
 
-  // All that was introduced is in the reservoir now; this figure has no round-off.
-  const double volume = detail::fill_roughness(b.book(), view, b.book().introduced(), selection);
+  // All that is here is in the reservoir now; this figure has no round-off of the moves.
+  const double volume = detail::fill_roughness(b, view, std::max(0.0, b.book().here()));
   const homogeneous_share share = share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
   if (share.alpha > 0 && share.alpha >= b.policies().formation().minimum_volume) {
     for (const std::size_t k : share.eligible) {
@@ -237,15 +232,14 @@ bond_events distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, co
       b.made(p, view);
     }
   } else {
-    detail::spread_over_grains(b.book(), view, volume, [](double r) { return r * r * r; });
+    detail::spread_over_grains(b, view, volume, [](double r) { return r * r * r; });
   }
-  bond_events events;
   view.for_each_row([&](std::size_t p) {
-    if (!b.is_bonded(p)) b.refresh(p, view);  // its films have changed, and with them whether it may form
-    events.ruptures += was_bonded[p] && !b.is_bonded(p) ? 1 : 0;
-    events.formations += !was_bonded[p] && b.is_bonded(p) ? 1 : 0;
+    const double now = b.book().bonds()[p];
+    if (now == 0) b.refresh(p, view);  // its films have changed, and with them whether it may form
+    if (before[p] > 0 && now == 0) b.note(bridge_change::broke, p, view.gap(p), before[p], view);
+    if (before[p] == 0 && now > 0) b.note(bridge_change::formed, p, view.gap(p), now, view);
   });
-  return events;
 }
 
 }  // namespace pendular

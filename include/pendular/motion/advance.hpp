@@ -7,6 +7,7 @@
 #include <pendular/motion/mover.hpp>
 #include <pendular/motion/sums.hpp>
 #include <pendular/space/grains.hpp>
+#include <pendular/space/neighbourhood.hpp>
 #include <pendular/space/pair_list.hpp>
 
 #include <algorithm>
@@ -15,12 +16,6 @@
 #include <vector>
 
 namespace pendular {
-
-/// How far grains may go before the list must be made anew.
-struct listing {
-  std::span<const grain_row::place> at;  // where they were listed
-  double allowed;                        // m
-};
 
 /// What comes after the second half of a step.
 enum class followed_by { nothing, next_step };
@@ -88,33 +83,45 @@ bool any_of_grains(std::size_t grains, const Body& body) {
 }
 }  // namespace detail
 
+namespace detail {
+// Flattened: whether a compiler takes an integrator's function for short enough to be inlined depends on what else calls
+// it, and a call per grain costs a tenth of a step.
+template <class Motion>
+PENDULAR_FLATTEN bool predict_range(const Motion move, std::size_t begin, std::size_t end) {
+  bool far = false;
+  for (std::size_t k = begin; k < end; ++k) far |= move.predict(k);
+  return far;
+}
+
+template <class Motion, class Actions, class Walls>
+PENDULAR_FLATTEN bool correct_range(const Motion move, const pair_list::view pairs, const Actions* actions,
+                                    const Walls walls, bool moving, followed_by what, std::size_t begin,
+                                    std::size_t end) {
+  bool far = false;
+  for (std::size_t k = begin; k < end; ++k) {
+    move.correct(k, sum_pairs(pairs.of(k), actions, move.radius(k), walls.on(k)), moving);
+    if (what == followed_by::next_step) far |= move.predict(k);
+  }
+  return far;
+}
+}  // namespace detail
+
 /// First half of a step for all grains. True if one of them is too far from where it was listed.
 template <class Grains, class Integration>
 bool predict(Grains& g, const Integration& integrator, const listing& listed) {
   return detail::any_of_grains(g.size(), [&](std::size_t begin, std::size_t end) {
-    const detail::grain_motion move(g, integrator, listed);
-    bool far = false;
-    for (std::size_t k = begin; k < end; ++k) far |= move.predict(k);
-    return far;
+    return detail::predict_range(detail::grain_motion(g, integrator, listed), begin, end);
   });
 }
 
 /// Second half of a step for all grains, and, if asked for, the first half of the next, while they are at hand. True if
 /// that took one of them too far from where it was listed.
 template <class Grains, class Contacts, class Integration>
-bool correct(Grains& g, const pair_list& list, const Contacts& contacts, const wall_loads<Grains>& loads,
+bool correct(Grains& g, const pair_list& list, const Contacts& contacts, const wall_loads<Grains::rotate>& loads,
              const Integration& integrator, bool moving, followed_by what, const listing& listed) {
   return detail::any_of_grains(g.size(), [&](std::size_t begin, std::size_t end) {
-    const detail::grain_motion move(g, integrator, listed);
-    const auto pairs = list.by_grain();
-    const auto walls = loads.by_grain();
-    const auto* actions = contacts.actions();
-    bool far = false;
-    for (std::size_t k = begin; k < end; ++k) {
-      move.correct(k, detail::sum_pairs(pairs.of(k), actions, move.radius(k), walls.on(k)), moving);
-      if (what == followed_by::next_step) far |= move.predict(k);
-    }
-    return far;
+    return detail::correct_range(detail::grain_motion(g, integrator, listed), list.by_grain(), contacts.actions(),
+                                 loads.by_grain(), moving, what, begin, end);
   });
 }
 

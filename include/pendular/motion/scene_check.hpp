@@ -96,6 +96,31 @@ double weight_pressure(const Grains& g, const vector& gravity) {
   return weight / solid * dense * (high - low);
 }
 
+/// Everything that a scene must keep below a bound, as it stands.
+template <class System>
+std::vector<scene_limit> limits_of(const System& s) {
+  const auto& g = s.particles();
+  const auto& m = s.contact_material();
+  const auto& integrator = s.integrator();
+  auto rigidities = detail::rigidities(g, s.pairs(), m);
+  const double near = 0.2 * extreme_radii(g).first;  // whatever the skin
+  s.for_each_wall(
+      [&](const auto& wall, const auto&) { detail::add_wall(rigidities, g, wall, s.material_of(wall), near); });
+  std::vector<scene_limit> all{contact_step_limit(integrator, g, rigidities),
+                               viscosity_step_limit(integrator, g, rigidities, m), damping_limit(g, m),
+                               pressure_limit(g, m, weight_pressure(g, integrator.gravity) + lid_stress(s))};
+  if constexpr (System::wet) {
+    const pair_view now = s.view();
+    const auto& b = s.bridges();
+    all.push_back(capillary_step_limit(integrator, g, now, b));
+    if constexpr (System::liquid_type::is_viscous) {
+      all.push_back(bridge_viscosity_step_limit(integrator, g, now, b));
+    }
+    all.push_back(bridge_softness_limit(m, now, b));
+  }
+  return all;
+}
+
 /// One sentence with all limits that do not hold, or nothing.
 inline std::string violations(const std::vector<scene_limit>& limits) {
   std::string text;

@@ -14,9 +14,10 @@ template <class System>
 double longest_way(const System& s) {
   double square = 0;
   for (const vector& v : s.particles().template get<column::velocity>()) square = std::max(square, dot(v, v));
+  double speed = std::max(std::sqrt(square), s.driven().fastest());
   s.for_each_wall(
-      [&](const auto& wall, const auto&) { square = std::max(square, dot(wall.drive.velocity, wall.drive.velocity)); });
-  return s.integrator().time_step * std::sqrt(square);
+      [&](const auto& wall, const auto&) { speed = std::max(speed, wall.approach_speed()); });
+  return s.integrator().time_step * speed;
 }
 
 /// Skin of the Verlet list, over the smallest radius, for which a step costs least: a skin s adds pairs that do not act in

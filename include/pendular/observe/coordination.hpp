@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/observe/indices.hpp>
-#include <pendular/observe/normal_force.hpp>
+#include <pendular/observe/pairs.hpp>
 
 #include <range/v3/algorithm/count_if.hpp>
 
@@ -18,31 +17,26 @@ struct coordination {
 };
 
 namespace detail {
-template <class System, class Counts>
-double mean_neighbours(const System& s, const Counts& counts) {
-  return 2.0 * static_cast<double>(::ranges::count_if(indices(s.view().pairs), counts)) /
-         static_cast<double>(s.particles().size());
+template <class Pairs, class Counts>
+double mean_neighbours(Pairs pairs, std::size_t grains, const Counts& counts) {
+  return 2.0 * static_cast<double>(::ranges::count_if(pairs, counts)) / static_cast<double>(grains);
 }
 }  // namespace detail
 
 /// Of a system whose forces have been evaluated.
 template <class System>
 coordination coordination_of(const System& s) {
-  const auto gap = s.contacts().gap();
-  coordination z{detail::mean_neighbours(s, [&](std::size_t p) { return gap[p] < 0; }), 0, 0};
-  if constexpr (System::wet) {
-    const auto bonded = [&](std::size_t p) { return s.bridges().is_bonded(p); };
-    z.bridges = detail::mean_neighbours(s, bonded);
-    z.open_bridges = detail::mean_neighbours(s, [&](std::size_t p) { return bonded(p) && gap[p] >= 0; });
-  }
-  return z;
+  const auto all = pairs(s);
+  const std::size_t grains = s.particles().size();
+  const auto open = [](const pair& p) { return bridged(p) && !touching(p); };
+  return {detail::mean_neighbours(all, grains, touching), detail::mean_neighbours(all, grains, bridged),
+          detail::mean_neighbours(all, grains, open)};
 }
 
 /// Of the neighbours that attract a grain by their total normal force. Dearer than the others: it looks at forces.
 template <class System>
 double tensile_coordination(const System& s) {
-  const auto view = s.view();
-  return detail::mean_neighbours(s, [&](std::size_t p) { return normal_force(s, view, p) < 0; });
+  return detail::mean_neighbours(pairs(s), s.particles().size(), [](const pair& p) { return p.push() < 0; });
 }
 
 }  // namespace pendular::observe

@@ -26,7 +26,7 @@ struct energies {
   double damping = 0;           // lost
   double friction = 0;          // lost or in friction springs
   double liquid = 0;            // set free by bridges that formed, broke or were refilled, and lost
-  double walls = 0;             // work done by the walls on the grains
+  double walls = 0;             // work done on the grains by walls and by what drives grains
 
   double balance() const { return kinetic + gravity + elastic + capillary + damping + friction + liquid - walls; }
   /// Energy that went through the scene since another entry: what a residual of the balance is compared with.
@@ -145,6 +145,7 @@ template <class System>
 energies energies_of(const System& s) {
   static_assert(System::material_type::keeps_energy_book,
                 "an energy balance needs energy_book{} in the material (docs/reference/material.md)");
+  s.expect_evaluated("observe::energies_of");
   energies e;
   detail::add_motion(s, e);
   detail::add_pairs(s, e);
@@ -152,6 +153,7 @@ energies energies_of(const System& s) {
   e.damping += work.damping;
   e.friction += work.friction;
   detail::add_walls(s, e);
+  e.walls += s.driven().work();
   return e;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/observe/normal_force.hpp>
-#include <pendular/observe/pairs_in_order.hpp>
+#include <pendular/observe/pairs.hpp>
 
 #include <range/v3/numeric/accumulate.hpp>
 
@@ -29,10 +28,8 @@ inline double mean(const std::vector<double>& values) {
 /// Of a system whose forces have been evaluated.
 template <class System>
 force_distribution force_distribution_of(const System& s) {
-  const auto view = s.view();
   force_distribution f;
-  for (const std::size_t p : pairs_in_order(s)) {
-    const double push = normal_force(s, view, p);
+  for (const double push : pairs(s) | ::ranges::views::transform(push_of)) {
     if (push > 0) f.compressive.push_back(push);
     if (push < 0) f.tensile.push_back(-push);
   }

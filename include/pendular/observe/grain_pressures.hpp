@@ -3,8 +3,7 @@
 
 #include <pendular/core/expects.hpp>
 #include <pendular/core/vec.hpp>
-#include <pendular/observe/normal_force.hpp>
-#include <pendular/observe/pairs_in_order.hpp>
+#include <pendular/observe/pairs.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <cstddef>
@@ -17,13 +16,10 @@ namespace detail {
 /// The lever arm ends in the middle of the gap, as in the contact laws: the two arms of a pair add up to its branch.
 template <class System>
 void add_pair_moments(const System& s, std::vector<double>& moment) {
-  const auto view = s.view();
-  const auto gap = s.contacts().gap();
-  for (const std::size_t p : pairs_in_order(s)) {
-    const double push = normal_force(s, view, p);
-    for (const std::size_t row : {view.grain_i(p), view.grain_j(p)}) {
-      moment[row] += push * (view.radius[row] + 0.5 * gap[p]);
-    }
+  for (const pair& p : pairs(s)) {
+    const double push = p.push();
+    moment[p.rows.first] += push * (p.radius_i + 0.5 * p.gap);
+    moment[p.rows.second] += push * (p.radius_j + 0.5 * p.gap);
   }
 }
 

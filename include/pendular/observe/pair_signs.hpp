@@ -2,8 +2,7 @@
 #pragma once
 
 #include <pendular/core/expects.hpp>
-#include <pendular/observe/normal_force.hpp>
-#include <pendular/observe/pairs_in_order.hpp>
+#include <pendular/observe/pairs.hpp>
 #include <pendular/observe/probability_density.hpp>
 
 #include <Eigen/Core>
@@ -25,11 +24,10 @@ struct pair_signs {
 /// Of every grain, in the order of ids. Of a system whose forces have been evaluated.
 template <class System>
 std::vector<pair_signs> pair_signs_of(const System& s) {
-  const auto view = s.view();
   std::vector<pair_signs> by_row(s.particles().size()), signs;
-  for (const std::size_t p : pairs_in_order(s)) {
-    const double push = normal_force(s, view, p);
-    for (const std::size_t row : {view.grain_i(p), view.grain_j(p)}) {
+  for (const pair& p : pairs(s)) {
+    const double push = p.push();
+    for (const std::size_t row : {p.rows.first, p.rows.second}) {
       by_row[row].compressive += push > 0 ? 1 : 0;
       by_row[row].tensile += push < 0 ? 1 : 0;
     }

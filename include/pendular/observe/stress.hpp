@@ -3,7 +3,7 @@
 
 #include <pendular/core/as_eigen.hpp>
 #include <pendular/core/vec.hpp>
-#include <pendular/observe/pairs_in_order.hpp>
+#include <pendular/observe/pairs.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <Eigen/Core>
@@ -19,16 +19,13 @@ namespace pendular::observe {
 /// Source: A. E. H. Love, Treatise on the Mathematical Theory of Elasticity (1927), p. 618; Richefeu et al. 2006, section 5.
 template <class System>
 Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
-  const auto view = s.view();
-  const auto moment = [&](std::size_t p) -> Eigen::Matrix3d {
-    const vector branch = view.position[view.grain_j(p)] - view.position[view.grain_i(p)];
+  const auto moment = [](const pair& p) -> Eigen::Matrix3d {
     // The force on grain i points along -branch in compression.
-    return -as_eigen(s.contacts().force(p)) * as_eigen(branch).transpose();
+    return -as_eigen(p.force) * as_eigen(p.branch).transpose();
   };
-  const auto pairs = pairs_in_order(s);
   const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
   const Eigen::Matrix3d sum =
-      ::ranges::accumulate(pairs | ::ranges::views::transform(moment), zero,
+      ::ranges::accumulate(pairs(s) | ::ranges::views::transform(moment), zero,
                            [](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) -> Eigen::Matrix3d { return a + b; });
   return sum / volume;
 }
@@ -36,13 +33,12 @@ Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
 /// Mean force sum on a grain over the mean size of the pair forces: how far the packing is from equilibrium.
 template <class System>
 double unbalanced_force_ratio(const System& s) {
-  const auto view = s.view();
   const auto force = s.particles().template get<column::force>();
   const auto inverse_mass = s.particles().template get<column::inverse_mass>();
   double pair_sum = 0;
   std::size_t acting = 0;
-  for (std::size_t p = 0; p < view.pairs; ++p) {
-    const double size = norm(s.contacts().force(p));
+  for (const pair& p : pairs(s)) {
+    const double size = norm(p.force);
     pair_sum += size;
     acting += size > 0 ? 1 : 0;
   }

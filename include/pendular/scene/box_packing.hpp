@@ -159,7 +159,7 @@ class box_packing {
     const auto done = steps_done(in, std::llround(parameters_.compaction / parameters_.time_step));
     const auto state = in.get<std::vector<double>>("scene.rest", 2);
     for (const double x : state) in.require(!std::isnan(x), "scene.rest", x, "a number");
-    io::load(in, system_);
+    io::load(in, system_, io::winner::file_for_walls);
     done_ = done, stress_ = state[0], unbalanced_force_ = state[1];
   }
 

@@ -99,7 +99,7 @@ class cohesive_sample {
     const auto done = steps_done(in, std::llround(parameters_.relaxation / parameters_.time_step));
     auto result = result_;
     load(in, result);
-    io::load(in, system_);
+    io::load(in, system_, io::winner::file_for_walls);
     done_ = done, result_ = std::move(result);
   }
 

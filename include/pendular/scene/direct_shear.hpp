@@ -137,8 +137,10 @@ class direct_shear {
     const auto done = steps_done(in, steps_of(stage));
     auto result = result_;
     load(in, result);
-    if (stage != "consolidate") roughen();
-    io::load(in, system_);
+    direct_shear rough = *this;  // which the grains are once they rest
+    if (stage != "consolidate") rough.roughen();
+    io::load(in, rough.system_, io::winner::file_for_walls);
+    system_ = std::move(rough.system_);
     stage_ = stage, done_ = done, result_ = std::move(result);
   }
 

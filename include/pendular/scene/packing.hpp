@@ -160,7 +160,7 @@ class packing {
   void resume(const io::checkpoint_reader& in) {
     const bool sealing = stage_in(in, {"deposit", "seal"}) == "seal";
     const auto done = steps_done(in, steps(sealing ? parameters_.sealing : parameters_.deposition));
-    io::load(in, system_);
+    io::load(in, system_, io::winner::file_for_walls);
     sealing_ = sealing, done_ = done;
   }
 

@@ -102,7 +102,7 @@ class simple_compression {
     const auto done = steps_done(in, steps(compressing ? parameters_.duration : parameters_.relaxation));
     auto result = result_;
     load(in, result);
-    io::load(in, system_);
+    io::load(in, system_, io::winner::file_for_walls);
     compressing_ = compressing, done_ = done, result_ = std::move(result);
   }
 

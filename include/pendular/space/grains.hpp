@@ -8,10 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <span>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -51,26 +55,61 @@ struct alignas(32) torque {
 };
 }  // namespace grain_row
 
+/// What every grain has: the type of its value, a label and a unit, under which checkpoints and files for ParaView keep it.
+/// A value is a double, a std::int64_t or a vector.
+template <class T>
+concept GrainTag = requires {
+  typename T::type;
+  { T::label } -> std::convertible_to<std::string_view>;
+  { T::unit } -> std::convertible_to<std::string_view>;
+  requires std::is_same_v<typename T::type, double> || std::is_same_v<typename T::type, std::int64_t> ||
+      std::is_same_v<typename T::type, vector>;
+};
+
+/// Tags of one's own for the grains of a system.
+template <GrainTag... Tags>
+struct tags {};
+
 namespace column {
 template <class Row, auto Member>
 struct member_of {
   using row = Row;
+  using type = std::remove_cvref_t<decltype(std::declval<Row>().*Member)>;
   static auto& in(auto& r) { return r.*Member; }
 };
-struct position : member_of<grain_row::place, &grain_row::place::position> {};
-struct radius : member_of<grain_row::place, &grain_row::place::radius> {};
-struct velocity : member_of<grain_row::motion, &grain_row::motion::velocity> {};
-struct inverse_mass : member_of<grain_row::motion, &grain_row::motion::inverse_mass> {};
-struct force : member_of<grain_row::force, &grain_row::force::force> {};
+struct position : member_of<grain_row::place, &grain_row::place::position> {
+  static constexpr std::string_view label = "position", unit = "m";
+};
+struct radius : member_of<grain_row::place, &grain_row::place::radius> {
+  static constexpr std::string_view label = "radius", unit = "m";
+};
+struct velocity : member_of<grain_row::motion, &grain_row::motion::velocity> {
+  static constexpr std::string_view label = "velocity", unit = "m/s";
+};
+struct inverse_mass : member_of<grain_row::motion, &grain_row::motion::inverse_mass> {
+  static constexpr std::string_view label = "inverse_mass", unit = "1/kg";
+};
+struct force : member_of<grain_row::force, &grain_row::force::force> {
+  static constexpr std::string_view label = "force", unit = "N";
+};
 struct id {
   using type = std::int64_t;
+  static constexpr std::string_view label = "id", unit = "1";
 };
 // Only where there is friction:
-struct angular_velocity : member_of<grain_row::spin, &grain_row::spin::angular_velocity> {};
-struct torque : member_of<grain_row::torque, &grain_row::torque::torque> {};
-struct inverse_inertia : member_of<grain_row::torque, &grain_row::torque::inverse_inertia> {};
+struct angular_velocity : member_of<grain_row::spin, &grain_row::spin::angular_velocity> {
+  static constexpr std::string_view label = "angular_velocity", unit = "rad/s";
+};
+struct torque : member_of<grain_row::torque, &grain_row::torque::torque> {
+  static constexpr std::string_view label = "torque", unit = "N m";
+};
+struct inverse_inertia : member_of<grain_row::torque, &grain_row::torque::inverse_inertia> {
+  static constexpr std::string_view label = "inverse_inertia", unit = "1/(kg m2)";
+};
 // Only where the friction law counts contacts:
-struct contacts : member_of<grain_row::spin, &grain_row::spin::contacts> {};
+struct contacts : member_of<grain_row::spin, &grain_row::spin::contacts> {
+  static constexpr std::string_view label = "contacts", unit = "1";
+};
 }  // namespace column
 
 namespace detail {
@@ -78,24 +117,29 @@ template <class Row>
 struct rows_of {
   using type = Row;
 };
-template <class... Rows>
-using grain_table = columns<column::id, rows_of<Rows>...>;
-
-template <bool Rotates>
-struct grain_rows_of {
-  using type = grain_table<grain_row::place, grain_row::motion, grain_row::force>;
+template <bool Rotates, class... Tags>
+struct grain_table {
+  using type =
+      columns<column::id, rows_of<grain_row::place>, rows_of<grain_row::motion>, rows_of<grain_row::force>, Tags...>;
 };
-template <>
-struct grain_rows_of<true> {
-  using type = grain_table<grain_row::place, grain_row::motion, grain_row::force, grain_row::spin, grain_row::torque>;
+template <class... Tags>
+struct grain_table<true, Tags...> {
+  using type = columns<column::id, rows_of<grain_row::place>, rows_of<grain_row::motion>, rows_of<grain_row::force>,
+                       rows_of<grain_row::spin>, rows_of<grain_row::torque>, Tags...>;
+};
+
+/// A column that is a part of a row of four numbers.
+template <class Column>
+concept PartOfRow = requires {
+  typename Column::row;
 };
 }  // namespace detail
 
-/// All grains of a scene, one row each in spatial order; the id of a grain never changes. A frictionless scene has no
-/// rotational columns.
-template <bool Rotates, bool CountsContacts>
+/// All grains of a scene, one row each in spatial order; the id of a grain never changes and is not given twice. A
+/// frictionless scene has no rotational columns. Tags of one's own are columns as all others, 0 for a new grain.
+template <bool Rotates, bool CountsContacts, GrainTag... Tags>
 class grains {
-  using table = typename detail::grain_rows_of<Rotates>::type;
+  using table = typename detail::grain_table<Rotates, Tags...>::type;
 
  public:
   static constexpr bool rotate = Rotates;
@@ -103,14 +147,24 @@ class grains {
 
   template <class Column>
   static constexpr bool has = [] {
-    if constexpr (std::is_same_v<Column, column::id>) {
-      return true;
-    } else if constexpr (std::is_same_v<Column, column::contacts>) {
+    if constexpr (std::is_same_v<Column, column::contacts>) {
       return CountsContacts;
-    } else {
+    } else if constexpr (detail::PartOfRow<Column>) {
       return table::template has<detail::rows_of<typename Column::row>>;
+    } else {
+      return table::template has<Column>;
     }
   }();
+
+  /// visit(column) for every column but the id: what makes up the state of a grain.
+  template <class Visit>
+  static void for_each_column(const Visit& visit) {
+    visit(column::position{}), visit(column::velocity{}), visit(column::force{});
+    visit(column::radius{}), visit(column::inverse_mass{});
+    if constexpr (Rotates) visit(column::angular_velocity{}), visit(column::torque{}), visit(column::inverse_inertia{});
+    if constexpr (CountsContacts) visit(column::contacts{});
+    (visit(Tags{}), ...);
+  }
 
   std::size_t size() const { return table_.size(); }
 
@@ -132,11 +186,25 @@ class grains {
     return table_.template get<detail::rows_of<Row>>();
   }
 
-  /// New rows are zero and must be written as a whole.
-  void resize(std::size_t size) { table_.resize(size); }
+  /// New rows are zero and must be written as a whole, with the ids that they have.
+  void restore(std::span<const std::int64_t> ids, std::int64_t next_id) {
+    table_.resize(ids.size());
+    std::copy(ids.begin(), ids.end(), get<column::id>().begin());
+    next_id_ = next_id;
+  }
+  /// The id that the next grain will have.
+  std::int64_t next_id() const { return next_id_; }
 
-  /// Row k becomes what was row order[k]; order must be a permutation of 0 .. size() - 1.
+  /// Row k becomes what was row order[k], without repetitions; rows that are not in it are no more.
   void permute(std::span<const std::size_t> order) { table_.permute(order); }
+
+  /// Grains that nothing moves but what drives them, by row; empty if there are none.
+  std::span<const char> held() const { return held_; }
+  void hold(std::size_t row) {
+    held_.resize(size(), 0);
+    held_[row] = 1;
+  }
+  void release_all() { held_.clear(); }
 
   /// Errors: radius or density not positive and finite, position, velocity or angular velocity not finite.
   void add(const grain& g) {
@@ -147,19 +215,35 @@ class grains {
     rows<grain_row::place>()[k] = {g.position, g.radius};
     rows<grain_row::motion>()[k] = {g.velocity, 1.0 / mass};
     rows<grain_row::force>()[k] = {{0, 0, 0}, 0};
-    get<column::id>()[k] = static_cast<std::int64_t>(k);
+    get<column::id>()[k] = next_id_++;
     if constexpr (Rotates) {
       rows<grain_row::spin>()[k] = {g.angular_velocity, 0};
       rows<grain_row::torque>()[k] = {{0, 0, 0}, 2.5 / (mass * g.radius * g.radius)};
     }
   }
 
-  /// Row of every id, so that a grain can be found again after the rows were put in spatial order.
+  /// Rows in the order of the ids: as long as no grain was taken out, entry k is that of id k.
   std::vector<std::size_t> rows_by_id() const {
-    std::vector<std::size_t> found(size());
     const auto ids = get<column::id>();
-    for (std::size_t k = 0; k < found.size(); ++k) found[static_cast<std::size_t>(ids[k])] = k;
+    std::vector<std::size_t> found(size(), size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const auto id = static_cast<std::size_t>(ids[k]);
+      if (id >= found.size()) return sorted_by_id();
+      found[id] = k;
+    }
     return found;
+  }
+
+  /// Row of one grain. Errors: input_error if there is none of this id.
+  std::size_t row_of(std::int64_t id) const {
+    const auto ids = get<column::id>();
+    const auto found = std::find(ids.begin(), ids.end(), id);
+    if (found == ids.end()) {
+      throw input_error("grain " + std::to_string(id) +
+                        " is asked for, but there is none of this id: it was taken out or "
+                        "never added (see docs/reference/grains.md)");
+    }
+    return static_cast<std::size_t>(found - ids.begin());
   }
 
   /// The grain of a row as the user would give it again.
@@ -173,10 +257,18 @@ class grains {
   }
 
  private:
+  std::vector<std::size_t> sorted_by_id() const {
+    const auto ids = get<column::id>();
+    std::vector<std::size_t> rows(size());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+    return rows;
+  }
+
   template <class Column, class Table>
   static auto seen_as_column(Table& t) {
-    if constexpr (std::is_same_v<Column, column::id>) {
-      return t.template get<column::id>();
+    if constexpr (!detail::PartOfRow<Column>) {
+      return t.template get<Column>();
     } else {
       const auto all = t.template get<detail::rows_of<typename Column::row>>();
       using value = std::remove_reference_t<decltype(Column::in(all[0]))>;
@@ -197,6 +289,8 @@ class grains {
   }
 
   table table_;
+  std::int64_t next_id_ = 0;
+  std::vector<char> held_;
 };
 
 /// Smallest and largest, m.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/liquid/door_archetype.hpp>
+
 #include <concepts>
 #include <cstdint>
 
@@ -25,10 +27,12 @@ concept LocalProtocol = std::copyable<P> && requires(const P p, const bond_side 
   { p.pull(side, p.settle(p.offer(side), film)) } -> std::convertible_to<double>;
 };
 
-/// Redistribution of all liquid over all eligible pairs, once per period.
+/// Redistribution over the whole scene, once per period (steps), through a liquid_door. May say by `reach(door)` how far
+/// apart the pairs are that it needs in the list, m.
 template <class P>
-concept GlobalProtocol = std::copyable<P> && requires(const P p) {
+concept GlobalProtocol = std::copyable<P> && requires(const P p, liquid_door_archetype& door) {
   { p.period } -> std::convertible_to<std::int64_t>;
+  p.redistribute(door);
 };
 
 template <class P>

@@ -13,6 +13,15 @@ namespace pendular::protocol {
 /// period of its own, so that neither skin nor threads change the physics.
 struct homogeneous {
   std::int64_t period = 1000;  // steps
+
+  template <class Door>
+  double reach(const Door& door) const {
+    return door.homogeneous_reach();
+  }
+  template <class Door>
+  void redistribute(Door& door) const {
+    door.share_homogeneously();
+  }
 };
 
 inline void validate(const homogeneous& p) {

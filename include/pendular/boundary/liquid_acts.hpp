@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/boundary/wet_rows.hpp>
+#include <pendular/contact/findings.hpp>
+#include <pendular/liquid/door.hpp>
+#include <pendular/space/pair_list.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace pendular {
+
+/// What is done to the liquid of a scene: by its bridges that break and form, by protocols, sources and users. Made where
+/// it is needed, of the rows, grains and list of the scene.
+template <class Rows, class Grains>
+class liquid_acts {
+ public:
+  using bonds_type = typename Rows::bonds_type;
+
+  liquid_acts(Rows& rows, const Grains& grains, const pair_list& list, const vector& up)
+      : rows_(rows), grains_(grains), list_(list), up_(up) {}
+
+  /// Ruptures and formations of an evaluation, if it found any or films have changed since the last.
+  void settle_if(const contact_findings& found) {
+    bonds_type& b = rows_.bridges();
+    b.forget_changed_rows();  // the forces are those of these bridges now
+    if (!found.liquid_event && !b.asks_protocol()) return;
+    const pair_view v = view();
+    if (v.wet_walls) {
+      settle_bonds(b, v, boundary::gaps_of_all_rows(rows_).history(), pairs_of());
+    } else {
+      settle_bonds(b, v, rows_.contacts().gaps(), pairs_of());
+    }
+  }
+
+  /// How far apart the pairs are that a global protocol needs in the list, m.
+  template <class P>
+  double reach_of(const P& protocol) {
+    if constexpr (requires(liquid_door_archetype door) { protocol.reach(door); }) {
+      const pair_view v = view();
+      const auto incidences = pairs_of();
+      return protocol.reach(liquid_door(rows_.bridges(), v, incidences));
+    } else {
+      return 0;
+    }
+  }
+  template <class P>
+  void redistribute(const P& protocol) {
+    const pair_view v = view();
+    const auto incidences = pairs_of();
+    liquid_door door(rows_.bridges(), v, incidences);
+    protocol.redistribute(door);
+    door.close();
+  }
+
+  /// One period of a source; `step` is that of time, s.
+  template <class S>
+  void act(const S& source, double step) {
+    through_door(source.account, static_cast<double>(source.period) * step, [&](auto& door) { source.act(door); });
+  }
+  /// Liquid between the scene and an account outside: act(outside_door&). The protocol is asked afterwards.
+  template <class Act>
+  void through_door(std::string_view account, double span, const Act& act) {
+    const pair_view v = view();
+    const auto incidences = pairs_of();
+    outside_door door(rows_.bridges(), v, incidences, account, span);
+    act(door);
+    door.close();
+    rows_.bridges().ask_protocol();
+  }
+
+  /// The bridges of these grains break, and their films leave the scene.
+  void take_out(std::span<const char> gone) {
+    through_door("taken out", 0, [&](auto& door) {
+      door.for_each_bridge([&](std::size_t pair) {
+        const bool first = gone[door.first_grain(pair)] != 0;
+        if (first || (!door.is_at_wall(pair) && gone[door.second_grain(pair)] != 0)) door.break_bridge(pair);
+      });
+      door.for_each_grain([&](std::size_t grain) {
+        if (gone[grain] != 0) door.dry_grain(grain, door.film(grain));
+      });
+    });
+  }
+
+  /// Every source whose period ends with this step, until one throws. Answers what it threw; it has then done nothing.
+  std::exception_ptr act_at(std::int64_t step_count, double step) {
+    std::exception_ptr thrown;
+    rows_.bridges().policies().for_each_source([&](const auto& source) {
+      if (step_count % source.period == 0 && !thrown) thrown = all_or_nothing([&] { act(source, step); });
+    });
+    return thrown;
+  }
+  template <class Act>
+  std::exception_ptr all_or_nothing(const Act& act) {
+    bonds_type before = rows_.bridges();
+    try {
+      act();
+      return {};
+    } catch (...) {
+      rows_.bridges() = std::move(before);
+      return std::current_exception();
+    }
+  }
+
+  /// Whether the list might miss a pair that films of today could join; `skin` is that of the list, m.
+  bool outgrows_list(double skin) const { return rows_.bridges().formation_reach(view()) + skin > list_.range(); }
+
+ private:
+  pair_view view() const { return rows_.view(grains_, list_, up_); }
+  auto pairs_of() const {
+    return [this](std::size_t grain) { return list_.pairs_of(grain); };
+  }
+
+  Rows& rows_;
+  const Grains& grains_;
+  const pair_list& list_;
+  vector up_;
+};
+
+}  // namespace pendular

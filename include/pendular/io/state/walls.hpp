@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/core/fields.hpp>
+#include <pendular/io/state/rows.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pendular::io::detail {
+
+template <class System>
+void put_walls(checkpoint_writer& out, const System& s) {
+  const auto view = s.view();
+  std::size_t index = 0;
+  s.for_each_wall([&](const auto& wall, const auto& contacts) {
+    const std::string name = "wall." + std::to_string(index++);
+    std::vector<double> state;
+    const auto keep = [&](const double& v) { state.push_back(v); };
+    for_each_scalar<double>(wall.shape, keep);
+    for_each_scalar<double>(wall.drive, keep);
+    for_each_scalar<double>(wall.force, keep);
+    for_each_scalar<double>(wall.load, keep);
+    const auto done = contacts.work().total();
+    state.insert(state.end(), {wall.work, done.damping, done.friction});
+    out.put(name, state);
+    const auto key = [&](std::size_t k, std::vector<std::int64_t>& keys) { keys.push_back(view.id[contacts.row(k)]); };
+    put_memories(out, name + ".memory", contacts.memories(), contacts.size(), key);
+    put_actions(out, name + ".action", contacts, contacts.size(), key);
+    if constexpr (requires { contacts.work().last_forces(); }) {
+      put_memories(out, name + ".last_force", contacts.work().last_forces(), contacts.size(), key);
+    }
+  });
+}
+
+template <class System>
+void get_walls(const checkpoint_reader& in, System& s) {
+  std::size_t index = 0;
+  s.for_each_wall([&](auto& wall, auto& contacts) {
+    std::size_t count = 3;
+    const auto add = [&](const double&) { ++count; };
+    for_each_scalar<double>(wall.shape, add);
+    for_each_scalar<double>(wall.drive, add);
+    for_each_scalar<double>(wall.force, add);
+    for_each_scalar<double>(wall.load, add);
+    const auto state = in.get<std::vector<double>>("wall." + std::to_string(index++), count);
+    std::size_t k = 0;
+    const auto restore = [&](double& v) { v = state[k++]; };
+    for_each_scalar<double>(wall.shape, restore);
+    for_each_scalar<double>(wall.drive, restore);
+    for_each_scalar<double>(wall.force, restore);
+    for_each_scalar<double>(wall.load, restore);
+    wall.work = state[k];
+    contacts.work().restore({state[k + 1], state[k + 2]});
+    if constexpr (requires { validate(wall.shape); }) validate(wall.shape);
+    if constexpr (requires { validate(wall.drive); }) validate(wall.drive);
+  });
+}
+
+template <class System>
+void get_wall_memories(const checkpoint_reader& in, System& s, const row_index& rows) {
+  std::size_t index = 0;
+  s.for_each_wall([&](auto&, auto& contacts) {
+    std::vector<std::size_t> place(s.particles().size(), contacts.size());
+    for (std::size_t k = 0; k < contacts.size(); ++k) place[contacts.row(k)] = k;
+    const std::string name = "wall." + std::to_string(index++);
+    const auto row = [&](const std::int64_t* key) {
+      const std::size_t k = place[rows.at(*key)];
+      if (k == contacts.size()) refuse_content("grain " + std::to_string(*key) + " is not near " + name);
+      return k;
+    };
+    get_memories(in, name + ".memory", contacts.memories(), 1, row);
+    get_actions(in, name + ".action", contacts, 1, row);
+    if constexpr (requires { contacts.work().last_forces(); }) {
+      get_memories(in, name + ".last_force", contacts.work().last_forces(), 1, row);
+    }
+  });
+}
+
+}  // namespace pendular::io::detail

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pendular/boundary/scene_rows.hpp>
+#include <pendular/motion/driven_grains.hpp>
+#include <pendular/motion/run_options.hpp>
+#include <pendular/motion/scene_check.hpp>
+#include <pendular/motion/velocity_verlet.hpp>
+#include <pendular/space/grains.hpp>
+#include <pendular/space/neighbourhood.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace pendular {
+
+/// What a scene is, and how it is looked at: grains, the rows of their pairs and walls, list, integrator and clock. A system
+/// is this and moves it.
+template <class Material, class Liquid, class Boundary, class Integration, GrainTag... Tags>
+class scene_state {
+ public:
+  using material_type = Material;
+  using liquid_type = Liquid;
+  using rows_type = scene_rows<Material, Liquid, Boundary>;
+  using bonds_type = typename rows_type::bonds_type;
+  using grains_type = grains<Material::has_friction, Material::counts_contacts, Tags...>;
+  using contacts_type = typename rows_type::contacts_type;
+  static constexpr bool wet = rows_type::wet;
+
+  scene_state(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
+              const run_options& options) requires(!std::is_same_v<Liquid, dry>)
+      : rows_(m, l, b), integrator_(i), options_(options) {
+    check_arguments();
+  }
+  scene_state(const Material& m, const Boundary& b, const Integration& i,
+              const run_options& options) requires(std::is_same_v<Liquid, dry>)
+      : rows_(m, b), integrator_(i), options_(options) {
+    check_arguments();
+  }
+
+  const grains_type& particles() const { return grains_; }
+  grains_type& particles() { return grains_; }
+  const pair_list& pairs() const { return near_.list(); }
+  const contacts_type& contacts() const { return rows_.contacts(); }
+  contacts_type& contacts() { return rows_.contacts(); }
+  const bonds_type& bridges() const { return rows_.bridges(); }
+  const Material& contact_material() const { return rows_.material(); }
+  Material& contact_material() { return rows_.material(); }
+  const Integration& integrator() const { return integrator_; }
+  const Boundary& walls() const { return rows_.walls(); }
+  Boundary& walls() { return rows_.walls(); }
+  /// What a checkpoint puts back.
+  rows_type& rows() { return rows_; }
+
+  /// visit(policy) for those of material and liquid and for the integrator. May be written to before the first grain is
+  /// added; later by contact_material() and change_integrator().
+  template <class Visit>
+  void for_each_policy(const Visit& visit) {
+    rows_.material().for_each_policy(visit);
+    if constexpr (wet) rows_.bridges().policies().for_each_policy(visit);
+    visit(integrator_);
+  }
+  template <class Visit>
+  void for_each_policy(const Visit& visit) const {
+    rows_.material().for_each_policy(visit);
+    if constexpr (wet) rows_.bridges().policies().for_each_policy(visit);
+    visit(integrator_);
+  }
+
+  std::int64_t step_count() const { return steps_; }
+  std::int64_t rebuild_count() const { return near_.rebuild_count(); }
+  double time() const {  // s
+    return clock_.time + static_cast<double>(steps_ - clock_.step) * integrator_.time_step;
+  }
+  const bond_events& events() const requires(!std::is_same_v<Liquid, dry>) { return rows_.bridges().events(); }
+  const bond_selection& selection() const requires(!std::is_same_v<Liquid, dry>) { return rows_.bridges().selection(); }
+
+  /// For observers. Errors: input_error if forces are not known yet.
+  void expect_evaluated(std::string_view who) const {
+    if (started_) return;
+    throw input_error(std::string(who) +
+                      " looks at forces, which have not been evaluated since grains were added: call "
+                      "start() or run() first (see docs/reference/observe.md)");
+  }
+
+  /// The listed pairs as the observers see them, and as the liquid does the grains near wettable walls.
+  pair_view view() const { return rows_.view(grains_, pairs(), up()); }
+
+  /// The wall's own material, or the grains'.
+  template <class Wall>
+  const auto& material_of(const Wall& wall) const {
+    return rows_.material_of(wall);
+  }
+
+  /// visit(wall, its contacts) for all walls in the order they were given.
+  template <class Visit>
+  void for_each_wall(const Visit& visit) {
+    rows_.for_each_wall(visit);
+  }
+  template <class Visit>
+  void for_each_wall(const Visit& visit) const {
+    rows_.for_each_wall(visit);
+  }
+
+  const driven_grains& driven() const { return driven_; }
+
+  /// When the integrator was last changed.
+  struct clock_start {
+    double time = 0;  // s
+    std::int64_t step = 0;
+  };
+  const clock_start& clock_began() const { return clock_; }
+
+  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
+  std::vector<scene_limit> limits() const {
+    expect_grains("a list of limits");
+    return limits_of(*this);
+  }
+
+  /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
+  /// unless run_options::force is set.
+  void expect_limits() const {
+    if (options_.force) return;
+    if (const std::string broken = violations(limits()); !broken.empty()) throw input_error(broken);
+  }
+
+ protected:
+  void check_arguments() const {
+    if constexpr (requires { validate(integrator_); }) validate(integrator_);
+    validate(options_);
+    if constexpr (wet) {
+      if constexpr (Liquid::needs_gravity) {
+        expects(norm(integrator_.gravity) > 0, "the gravity of a scene with protocol::gravity (m/s2)", 0.0,
+                "different from 0", "docs/reference/liquid.md");
+      }
+    }
+  }
+  void expect_grains(std::string_view of_what) const {
+    expects(grains_.size() > 0, "the number of grains, where " + std::string(of_what) + " is asked for,", 0,
+            "at least 1", "docs/reference/system.md");
+  }
+
+  vector up() const {
+    const double g = norm(integrator_.gravity);
+    return g > 0 ? (-1.0 / g) * integrator_.gravity : vector{0, 0, 0};
+  }
+  box around(const box& b) const {
+    const vector size = b.upper - b.lower;
+    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii(grains_).second);
+    const vector all_around{margin, margin, margin};
+    return {b.lower - all_around, b.upper + all_around};
+  }
+  contact_clock clock_of(bool moving) const {
+    return {integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving, steps_};
+  }
+
+  rows_type rows_;
+  Integration integrator_;
+  run_options options_;
+  grains_type grains_;
+  driven_grains driven_;
+  neighbourhood near_;
+  box domain_{};
+  clock_start clock_;
+  std::int64_t steps_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace pendular

@@ -60,8 +60,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   }
 
   /// Takes grains out, by their ids. Their bridges break, and what liquid they then have goes to the account "taken out".
-  /// Grains that touched none of them go on with the same bits. Errors: a grain that is not there, or all of them;
-  /// nothing has changed then.
+  /// Grains that touched none of them go on with the same bits. Errors: a grain that is not there, all of them, or as
+  /// expect_limits(); nothing has changed then.
   void remove(std::span<const std::int64_t> ids) {
     std::vector<char> gone(grains_.size(), 0);
     for (const std::int64_t id : ids) gone[grains_.row_of(id)] = 1;

@@ -77,6 +77,15 @@ TEST_CASE("a turning wall is told force and torque, and its power is that of its
   CHECK(w.shape.normal == vector{0, 0, 1});
 }
 
+TEST_CASE("a wall that turning moves must say how far it reaches") {
+  const turning without{{0, 0, 0}, {0, 0, 1}, 0};
+  CHECK_THROWS_AS((wall{plane{{0, 0, 0}, {1, 0, 0}}, without}), input_error);
+  CHECK_THROWS_AS((wall{cylinder{{1, 0, 0}, {0, 0, 1}, 1}, without}), input_error);
+  CHECK_NOTHROW((wall{plane{{0, 0, 0}, {0, 0, 1}}, without}));
+  CHECK_NOTHROW((wall{cylinder{{0, 0, 3}, {0, 0, 1}, 1}, without}));
+  CHECK_NOTHROW((wall{plane{{0, 0, 0}, {1, 0, 0}}, turning{{0, 0, 0}, {0, 0, 1}, 0, 1}}));
+}
+
 TEST_CASE("a place, a velocity or a rate that is no number is refused where the wall is built") {
   for (const double bad : {no_number, inf, -inf}) {
     CHECK_THROWS_AS((wall{plane{{0, bad, 0}, {0, 0, 1}}}), input_error);

@@ -38,7 +38,8 @@ auto cell(double cylinder_radius, double lid_height) {
 // [/boundary]
 
 // [wet_wall]
-const boundary::wall glass_plate{boundary::plane{{0, 0, 0}, {0, 0, 1}}, boundary::fixed{}, none{}, boundary::wettable{}};
+const boundary::wall glass_plate{boundary::plane{{0, 0, 0}, {0, 0, 1}}, boundary::fixed{}, none{},
+                                 boundary::wettable{}};
 const pendular::system drops{material{normal::linear{1e3}},
                              liquid{fluid::water(), capillary::bagheri{}, rupture::willett{}},  // laws that know planes
                              boundary::walls{glass_plate}, velocity_verlet{1e-6}};

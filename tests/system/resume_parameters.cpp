@@ -59,6 +59,22 @@ std::string refusal(const choices& c, io::winner wins = io::winner::nobody) {
   }
   return "";
 }
+/// A law that knows one contact angle and cannot be given another, as one that was made from a table.
+class made_for {
+ public:
+  explicit made_for(double angle) : angle_(angle) {}
+  template <Scalar T>
+  T attraction(const bridge<T>& b, const fluid& f) const {
+    return T(f.surface_tension) * b.radius_i + T(0) * b.gap;
+  }
+  void expect_fluid(const fluid& f) const {
+    expects(f.contact_angle == angle_, "the contact angle (rad)", f.contact_angle, "that of the law", "docs/x.md");
+  }
+
+ private:
+  double angle_;
+};
+
 bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -73,7 +89,8 @@ TEST_CASE("the same parameters are taken without a word") {
 TEST_CASE("a parameter that differs is refused by its name, with both values") {
   CHECK(mentions(refusal({.time_step = 5e-7}),
                  "half_step_velocity_verlet time_step is 1e-06 in the file and 5e-07 in the program"));
-  CHECK(mentions(refusal({.stiffness = 900}), "normal::linear normal_stiffness is 1000 in the file and 900 in the program"));
+  CHECK(mentions(refusal({.stiffness = 900}),
+                 "normal::linear normal_stiffness is 1000 in the file and 900 in the program"));
   CHECK(mentions(refusal({.tension = 0.03}), "fluid surface_tension is 0.07 in the file and 0.03 in the program"));
   CHECK(mentions(refusal({.lid_stress = 100}),
                  "wall 1: boundary::servo_stress stress is 50 in the file and 100 in the program"));
@@ -113,6 +130,29 @@ TEST_CASE("the file may win, for everything or for the walls alone") {
   CHECK(io::load(io::checkpoint_reader(saved()), w, io::winner::file_for_walls).size() == 1);
   CHECK(boundary::get<1>(w.walls()).drive.stress == 50);
   CHECK(mentions(refusal(other, io::winner::file_for_walls), "normal::linear normal_stiffness"));
+}
+
+TEST_CASE("a file that wins may not give a law another fluid than it was made for") {
+  const auto wet = [](double angle) {
+    return pendular::system{material{normal::linear{1e3}},
+                            liquid{fluid{0.07, angle, 1000, 1e-3}, made_for{angle}, rupture::lian{}}, boundary::walls{},
+                            velocity_verlet{1e-6}};
+  };
+  const auto file = std::filesystem::temp_directory_path() / ("pendular_fluid_" + std::to_string(std::rand()));
+  auto s = wet(0.3);
+  s.add({.position = {0, 0, 0}, .radius = 0.5e-3, .density = 2600});
+  s.run(1);
+  s.canonicalise();
+  {
+    io::checkpoint_writer out(file);
+    io::save(out, s);
+    out.commit();
+  }
+  auto same = wet(0.3), other = wet(0.0);
+  CHECK_NOTHROW(io::load(io::checkpoint_reader(file), same, io::winner::file));
+  CHECK_THROWS_AS(io::load(io::checkpoint_reader(file), other, io::winner::file), input_error);
+  CHECK((other.particles().size() == 0 && other.bridges().policies().substance().contact_angle == 0));
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("a scene that would break a limit is not resumed") {

@@ -5,7 +5,9 @@
 
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
+#include <pendular/law/capillary/bagheri.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
+#include <pendular/law/rupture/willett.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/fabric.hpp>
 #include <pendular/observe/grain_pressures.hpp>
@@ -14,6 +16,7 @@
 #include <range/v3/view/filter.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -199,6 +202,130 @@ void expect_same(const S& a, const S& b, std::int64_t ids) {
   }
 }
 }  // namespace
+
+TEST_CASE("bridges that have just formed or broken are no concern of a grain that is added far away") {
+  const auto swarm = [] {
+    pendular::system s{material{normal::linear{1e3}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}},
+                       liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, protocol::grain_films{}},
+                       floor_plane(), half_step_velocity_verlet{5e-6, {0, 0, -9.81}}, run_options{.force = true}};
+    for (const grain& g : loose_lattice(4, 4, 4, radius, 0.05, 1.15e-3, 0.4)) s.add(g);
+    s.distribute_liquid(2e-12 * 64);
+    return s;
+  };
+  auto alone = swarm(), disturbed = swarm();
+  std::int64_t events = 0;
+  int added = 0;
+  for (int step = 0; step < 1500; ++step) {
+    alone.run(1);
+    disturbed.run(1);
+    const std::int64_t now = disturbed.events().ruptures + disturbed.events().formations;
+    if (now != events) disturbed.add({.position = {0.05, 0.002 * ++added, radius}, .radius = radius, .density = 2600});
+    events = now;
+  }
+  CHECK(added > 50);
+  expect_same(alone, disturbed, 64);
+}
+
+TEST_CASE("a contact that has just closed dry stays dry under a film put on it, in an old list as in a new one") {
+  for (const bool listed_anew : {false, true}) {
+    auto s = two_far_grains(1e-6, 0.02, protocol::grain_films{}, 1.0);
+    while (gap_of(s, 0, 1) >= 0) s.run(1);
+    if (listed_anew) s.canonicalise();
+    s.exchange("spray", [](auto& door) { door.wet_grain(0, 1e-12); });
+    CHECK(s.bridges().count() == 0);
+    s.run(5);
+    CHECK((gap_of(s, 0, 1) < 0 && s.bridges().count() == 0));
+  }
+}
+
+TEST_CASE("a wall's bridge that is drained by hand pulls at once as one that never had more") {
+  const auto drop = [](double volume) {
+    pendular::system s{material{normal::linear{1e3}},
+                       liquid{fluid::water(), capillary::bagheri{}, rupture::willett{}, protocol::grain_films{}},
+                       boundary::walls{boundary::wall{boundary::plane{{0, 0, 0}, {0, 0, 1}}, boundary::fixed{}, none{},
+                                                      boundary::wettable{}}},
+                       velocity_verlet{1e-7}, run_options{.force = true}};
+    s.add({.position = {0, 0, 1.01 * radius}, .radius = radius, .density = 2600});
+    s.add({.position = {0.01, 0, 1.01 * radius}, .radius = radius, .density = 2600});
+    s.distribute_liquid(2 * volume);
+    return s;
+  };
+  const auto pull = [](const auto& s, std::int64_t id) {
+    double force = 0;
+    s.for_each_wall([&](const auto&, const auto& contacts) {
+      for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (contacts.row(k) == s.particles().row_of(id)) force = contacts.force(k).z;
+      }
+    });
+    return force;
+  };
+  auto s = drop(1e-12);
+  const double before = pull(s, 1);
+  s.exchange("pump", [](auto& door) {
+    door.for_each_bridge([&](std::size_t pair) {
+      if (door.is_at_wall(pair) && door.ids(pair).first == 0) door.drain_bridge(pair, 0.5e-12);
+    });
+  });
+  CHECK(pull(s, 0) == within(1e-9, pull(drop(0.5e-12), 0)));
+  CHECK(std::abs(pull(s, 0)) < 0.99 * std::abs(before));
+  CHECK(pull(s, 1) == before);  // the other grain does not notice
+  CHECK(velocity(s, 1) == vector{0, 0, 0});
+  s.remove(std::vector<std::int64_t>{0});
+  CHECK((s.bridges().count() == 1 && pull(s, 1) == before));
+  CHECK(s.bridges().book().outside("taken out") == within(1e-9, 0.5e-12));
+}
+
+TEST_CASE("a held grain's other contacts are no concern of the friction that counts contacts") {
+  const auto slide = [](int others) {
+    pendular::system s{material{normal::linear{1e3}, damping::viscous{0.3}, friction::viscous_coulomb{1, 0.4}},
+                       boundary::walls{}, velocity_verlet{1e-6, {0, 0, -9.81}}, run_options{.force = true}};
+    s.add({.position = {0, 0, 0}, .radius = radius, .density = 2600});
+    s.add({.position = {0, 0, 1.9999 * radius}, .radius = radius, .density = 2600, .velocity = {0.01, 0, 0}});
+    for (int k = 0; k < others; ++k) {
+      const double x = k == 0 ? 1 : -1;
+      s.add({.position = {1.9 * radius * x, 0, -0.6 * radius}, .radius = radius, .density = 2600});
+    }
+    for (int k = 0; k < others; ++k) s.drive(2 + k);
+    s.drive(0);
+    s.run(500);
+    return s;
+  };
+  const auto alone = slide(0), among = slide(2);
+  CHECK(among.particles().get<column::contacts>()[among.particles().row_of(1)] == 1);
+  expect_same(alone, among, 2);
+}
+
+TEST_CASE("a turning drum resumes with the same bits, its work included") {
+  const auto drum = [] {
+    return pendular::system{
+        material{normal::linear{1e3}, damping::viscous{0.3}, friction::coulomb_spring{800, 0.4}, energy_book{}},
+        boundary::walls{boundary::wall{boundary::cylinder{{0, 0, 0}, {0, 1, 0}, 3e-3},
+                                       boundary::turning{{0, 0, 0}, {0, 1, 0}, -20}},
+                        boundary::wall{boundary::plane{{0, 0, -2.8e-3}, {0, 0.6, 0.8}},
+                                       boundary::turning{{0, 0, 0}, {0, 1, 0}, 0.5, 3e-3}}},
+        velocity_verlet{2e-6, {0, 0, -9.81}}, run_options{.force = true}};
+  };
+  auto first = drum();
+  for (int k = 0; k < 6; ++k) first.add({.position = {1e-3 * (k - 2.5), 0, 0}, .radius = 0.48e-3, .density = 2600});
+  first.run(8000);
+  first.canonicalise();
+  const auto file = std::filesystem::temp_directory_path() / ("pendular_drum_" + std::to_string(std::rand()));
+  {
+    io::checkpoint_writer out(file);
+    io::save(out, first);
+    out.commit();
+  }
+  auto second = drum();
+  io::load(io::checkpoint_reader(file), second, io::winner::file_for_walls);
+  std::filesystem::remove(file);
+  first.run(3000);
+  second.run(3000);
+  expect_same(first, second, 6);
+  CHECK(observe::energies_of(first).walls != 0);
+  CHECK(observe::energies_of(first).walls == observe::energies_of(second).walls);
+  CHECK(boundary::get<0>(first.walls()).drive.torque == boundary::get<0>(second.walls()).drive.torque);
+  CHECK(boundary::get<1>(first.walls()).shape.normal == boundary::get<1>(second.walls()).shape.normal);
+}
 
 TEST_CASE("grains are taken out with their liquid, and nobody else notices") {
   auto all = heap<velocity_verlet>(), fewer = heap<velocity_verlet>();

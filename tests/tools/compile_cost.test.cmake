@@ -29,7 +29,7 @@ list(REMOVE_ITEM law_headers "${law_list}" "${stiffness}" ${check})
 # The bounds are a tenth above what was counted with Eigen 3.4.0, Boost 1.74 and the standard library of g++ 12.2, the
 # lines by g++ 12.2 and clang++ 14.0 alike: 629, 1268, 673, 1462, 6399. In all, yardstick included, these are 27 000
 # lines for a law and 115 600 for the scene. (A scene had 4996 before sources and sinks, observers, tags and driven grains
-# and took a tenth less of the compiler's time; 4092 when lanes were Eigen's.)
+# and took three quarters of the compiler's time; 4092 when lanes were Eigen's.)
 pendular_add_compile_cost(laws "${yardsticks}/law.cpp" lines 690 ${law_headers})
 pendular_add_compile_cost(law_list "${yardsticks}/law_list.cpp" lines 1400 "${law_list}")
 pendular_add_compile_cost(stiffness "${yardsticks}/stiffness.cpp" lines 740 "${stiffness}")

@@ -83,6 +83,13 @@ struct turning {
   const vector& pivot() const { return point; }
   double approach_speed() const { return std::abs(rate) * reach; }
 
+  /// Errors: a shape that turning moves, of which nobody said how far it goes: grains would not be looked for in time.
+  template <class Geometry>
+  void expect_shape(const Geometry& wall) const {
+    expects(reach > 0 || stays_in_itself(wall, point, axis), "the reach of a wall that turning moves (m)", reach,
+            "more than 0", "docs/reference/boundary.md");
+  }
+
   template <class Geometry>
   void move(Geometry& wall, const wall_load& load, double time_step) {
     torque = load.torque;

@@ -27,15 +27,9 @@ class liquid_acts {
 
   /// Ruptures and formations of an evaluation, if it found any or films have changed since the last.
   void settle_if(const contact_findings& found) {
-    bonds_type& b = rows_.bridges();
-    b.forget_changed_rows();  // the forces are those of these bridges now
-    if (!found.liquid_event && !b.asks_protocol()) return;
-    const pair_view v = view();
-    if (v.wet_walls) {
-      settle_bonds(b, v, boundary::gaps_of_all_rows(rows_).history(), pairs_of());
-    } else {
-      settle_bonds(b, v, rows_.contacts().gaps(), pairs_of());
-    }
+    if (found.liquid_event || rows_.bridges().asks_protocol()) settle();
+    // The forces are those of the bridges before; what has settled acts in the next step, whatever is done meanwhile.
+    rows_.bridges().forget_changed_rows();
   }
 
   /// How far apart the pairs are that a global protocol needs in the list, m.
@@ -111,6 +105,15 @@ class liquid_acts {
   bool outgrows_list(double skin) const { return rows_.bridges().formation_reach(view()) + skin > list_.range(); }
 
  private:
+  void settle() {
+    const pair_view v = view();
+    if (v.wet_walls) {
+      settle_bonds(rows_.bridges(), v, boundary::gaps_of_all_rows(rows_).history(), pairs_of());
+    } else {
+      settle_bonds(rows_.bridges(), v, rows_.contacts().gaps(), pairs_of());
+    }
+  }
+
   pair_view view() const { return rows_.view(grains_, list_, up_); }
   auto pairs_of() const {
     return [this](std::size_t grain) { return list_.pairs_of(grain); };

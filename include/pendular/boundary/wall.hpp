@@ -41,6 +41,7 @@ struct wall {
   explicit wall(Shape s, Mover d = {}, Material m = {}, Wetting = {}) : shape(s), drive(d), material(m) {
     if constexpr (requires { validate(shape); }) validate(shape);
     if constexpr (requires { validate(drive); }) validate(drive);
+    if constexpr (requires { drive.expect_shape(shape); }) drive.expect_shape(shape);
   }
 
   double approach_speed() const { return boundary::approach_speed(drive); }  // m/s

@@ -75,6 +75,7 @@ class contact_rows {
     if (!constants_known_) make_constants(way);
     fresh_.insert(fresh_.end(), changed.begin(), changed.end());
     std::sort(fresh_.begin(), fresh_.end());
+    gaps_.stand();
     contact_findings all;
     for (auto next = fresh_.begin(); next != fresh_.end();) {
       const std::size_t begin = *next / lane_count * lane_count;
@@ -210,6 +211,9 @@ class contact_rows {
                                                    actions_.begin() + static_cast<std::ptrdiff_t>(begin + lane_count));
     const auto last = work_.last_of(begin);
     evaluate_block(way, bonds, clock, begin, found);
+    // Which rows lie in a block is chance, so only the wanted ones may have events.
+    const block asked = block::from([&](int lane) { return wanted[static_cast<std::size_t>(lane)] ? 1.0 : 0.0; });
+    found.event = select(asked > 0, found.event, block(-1.0));
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       if (wanted[lane]) continue;
       actions_[begin + lane] = actions[lane];

@@ -24,6 +24,10 @@ class gap_record {
   void turn() {
     if constexpr (KeepsBefore) now_.swap(before_);
   }
+  /// To be called before rows are evaluated as they stand: nothing has closed since, but what is new was apart.
+  void stand() {
+    if constexpr (KeepsBefore) before_ = now_;
+  }
 
   void put(std::size_t first_row, const block& gap) { store(now_.data() + first_row, gap); }
   /// What the gap of this evaluation is to be compared with.

@@ -80,38 +80,50 @@ std::vector<parameter> parameters_of(const System& s) {
   return all;
 }
 
+namespace detail {
+/// Finds parameters by their names one after the other: two policies of one type have the same names, in the same order.
+class in_turn {
+ public:
+  explicit in_turn(const std::vector<parameter>& all) : all_(all) {}
+  /// The next of this name, or nothing.
+  const parameter* find(const std::string& name) {
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const std::size_t place = (next_ + k) % all_.size();
+      if (all_[place].name != name) continue;
+      next_ = place + 1;
+      return &all_[place];
+    }
+    return nullptr;
+  }
+
+ private:
+  const std::vector<parameter>& all_;
+  std::size_t next_ = 0;
+};
+}  // namespace detail
+
 /// Gives a system the parameters of these names that it has. Called before anything is made of them.
 template <class System>
 void take_parameters(System& s, const std::vector<parameter>& from) {
-  std::size_t next = 0;
+  detail::in_turn given(from);
   detail::visit_parameters(s, [&](const std::string& name, auto& value) {
-    // Two policies of one type follow each other in the same order.
-    for (std::size_t k = 0; k < from.size(); ++k) {
-      const parameter& p = from[(next + k) % from.size()];
-      if (p.name != name) continue;
-      value = static_cast<std::remove_reference_t<decltype(value)>>(p.value);
-      next = (next + k + 1) % from.size();
-      return;
-    }
+    const parameter* p = given.find(name);
+    if (p != nullptr) value = static_cast<std::remove_reference_t<decltype(value)>>(p->value);
   });
 }
 
 /// One line for each that is not the same: "normal::linear normal_stiffness is 1000 in the file and 500 in the program".
 inline std::vector<std::string> differences(const std::vector<parameter>& file, const std::vector<parameter>& program) {
   std::vector<std::string> lines;
-  std::size_t next = 0;
+  detail::in_turn given(file);
   for (const parameter& p : program) {
-    std::size_t k = 0;
-    while (k < file.size() && file[(next + k) % file.size()].name != p.name) ++k;
-    if (k == file.size()) {
+    const parameter* q = given.find(p.name);
+    if (q == nullptr) {
       lines.push_back(p.name + " is not in the file");
-      continue;
+    } else if (q->value != p.value) {
+      lines.push_back(p.name + " is " + pendular::detail::number(q->value) + " in the file and " +
+                      pendular::detail::number(p.value) + " in the program");
     }
-    const parameter& q = file[(next + k) % file.size()];
-    next = (next + k + 1) % file.size();
-    if (q.value == p.value) continue;
-    lines.push_back(p.name + " is " + pendular::detail::number(q.value) + " in the file and " +
-                    pendular::detail::number(p.value) + " in the program");
   }
   return lines;
 }

@@ -58,7 +58,8 @@ Memory converted(const Source& source, const Value& value) {
 /// Of a law that remembers, in double, by automatic differentiation of a push whose memory is thrown away.
 template <class Law>
 double differentiated(const Law& law, const approach<double>& a, const contact_memory_t<Law, double>& memory) {
-  auto own = converted<dual, double, contact_memory_t<Law, dual>>(memory, [](double x) { return x; });
+  contact_memory_t<Law, dual> own =
+      converted<dual, double, contact_memory_t<Law, dual>>(memory, [](double x) { return x; });
   for_each_scalar<dual>(own, [](dual& x) { x = constant(x.value()); });
   const dual force = law.repulsion(varied(a), own);
   return -force.derivatives()(0);
@@ -72,13 +73,14 @@ T stiffness(const Law& law, const approach<T>& a, const contact_memory_t<Law, T>
   if constexpr (detail::KnowsStiffnessNow<Law, T>) {
     return law.stiffness(a, memory);
   } else if constexpr (std::is_arithmetic_v<T>) {
-    const auto own = detail::converted<double, T, contact_memory_t<Law, double>>(memory, [](T x) { return double(x); });
+    const contact_memory_t<Law, double> own =
+        detail::converted<double, T, contact_memory_t<Law, double>>(memory, [](T x) { return double(x); });
     return static_cast<T>(detail::differentiated(
         law, approach<double>{a.gap, a.closing_speed, a.reduced_mass, a.radius_i, a.radius_j}, own));
   } else {
     return T::from([&](int k) {
       const approach<double> one{a.gap[k], a.closing_speed[k], a.reduced_mass[k], a.radius_i[k], a.radius_j[k]};
-      const auto own =
+      const contact_memory_t<Law, double> own =
           detail::converted<double, T, contact_memory_t<Law, double>>(memory, [k](const T& x) { return double(x[k]); });
       return detail::differentiated(law, one, own);
     });

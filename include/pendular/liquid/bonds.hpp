@@ -75,7 +75,7 @@ class bonds {
   bool asks_protocol() const { return asks_protocol_; }
   void ask_protocol(bool asked = true) { asks_protocol_ = asked; }
 
-  /// Rows whose bridge is another one since the forces were last evaluated, in ascending order.
+  /// Rows whose bridge was made another one since that was last forgotten, in ascending order.
   std::vector<std::size_t> changed_rows() const {
     auto first_changes = changed_;
     const auto by_row = [](const change& a, const change& c) { return a.row < c.row; };

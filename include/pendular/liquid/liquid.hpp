@@ -82,7 +82,10 @@ class liquid {
   static constexpr bool has_sources = detail::players<detail::plays_source, Policies...>() > 0;
   static constexpr bool needs_gravity = requires { requires protocol_type::needs_gravity; };
 
-  constexpr explicit liquid(Policies... policies) : policies_(policies...) {
+  constexpr explicit liquid(Policies... policies) : policies_(policies...) { check(); }
+
+  /// Errors: input_error for a policy with a parameter out of bounds, or one that was made for another fluid.
+  constexpr void check() const {
     const auto validate_one = []<class P>(const P& policy) {
       if constexpr (requires { validate(policy); }) validate(policy);
       if constexpr (Source<P> || GlobalProtocol<P>) {

@@ -78,6 +78,7 @@ class driven_grains {
     const std::size_t row = g.row_of(d.id);
     g.template rows<grain_row::motion>()[row].velocity = d.velocity;
     if constexpr (Grains::rotate) g.template rows<grain_row::spin>()[row].angular_velocity = d.angular_velocity;
+    if constexpr (Grains::count_contacts) g.template rows<grain_row::spin>()[row].contacts = 0;
   }
 
   /// Before grains are moved.
@@ -103,6 +104,8 @@ class driven_grains {
       if (predicted) place.position += time_step * all_[k].velocity;
       g.template rows<grain_row::motion>()[row].velocity = all_[k].velocity;
       if constexpr (Grains::rotate) g.template rows<grain_row::spin>()[row].angular_velocity = all_[k].angular_velocity;
+      // Contacts are weighted by inverse masses, and this is infinitely heavy.
+      if constexpr (Grains::count_contacts) g.template rows<grain_row::spin>()[row].contacts = 0;
       if (corrected) add_work(g, k, gravity, time_step);
       far |= !(norm(place.position - listed.at[row].position) < listed.allowed);
     }

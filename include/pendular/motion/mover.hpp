@@ -41,8 +41,7 @@ class mover {
     gravity_ = taken(load_row(quad{g.x, g.y, g.z, 0}));
   }
 
-  void predict(grain_row::place& place, grain_row::motion& motion,
-                                      const grain_row::force& force) const {
+  void predict(grain_row::place& place, grain_row::motion& motion, const grain_row::force& force) const {
     three x = of(place), v = of(motion);
     integrator_.predict(x, v, three(motion.inverse_mass * of(force) + gravity_));
     put(place, x), put(motion, v);
@@ -60,8 +59,7 @@ class mover {
     put(motion, v);
   }
   /// With the torque before and now, N m.
-  void correct(grain_row::spin& spin, double inverse_inertia, const four& before,
-                                      const four& now) const {
+  void correct(grain_row::spin& spin, double inverse_inertia, const four& before, const four& now) const {
     three w = of(spin);
     integrator_.correct(w, three(inverse_inertia * taken(before)), three(inverse_inertia * taken(now)));
     put(spin, w);

@@ -15,8 +15,7 @@ double longest_way(const System& s) {
   double square = 0;
   for (const vector& v : s.particles().template get<column::velocity>()) square = std::max(square, dot(v, v));
   double speed = std::max(std::sqrt(square), s.driven().fastest());
-  s.for_each_wall(
-      [&](const auto& wall, const auto&) { speed = std::max(speed, wall.approach_speed()); });
+  s.for_each_wall([&](const auto& wall, const auto&) { speed = std::max(speed, wall.approach_speed()); });
   return s.integrator().time_step * speed;
 }
 

@@ -57,6 +57,7 @@ std::vector<std::string> settle_parameters(const checkpoint_reader& in, System& 
   s.for_each_policy([](const auto& policy) {
     if constexpr (requires { validate(policy); }) validate(policy);
   });
+  if constexpr (System::wet) s.bridges().policies().check();
   return differing;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <pendular/boundary/scene_rows.hpp>
+#include <pendular/core/extremes.hpp>
+#include <pendular/core/host.hpp>
 #include <pendular/motion/driven_grains.hpp>
 #include <pendular/motion/run_options.hpp>
 #include <pendular/motion/scene_check.hpp>
@@ -9,6 +11,7 @@
 #include <pendular/space/grains.hpp>
 #include <pendular/space/neighbourhood.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -19,9 +22,11 @@ namespace pendular {
 
 /// What a scene is, and how it is looked at: grains, the rows of their pairs and walls, list, integrator and clock. A system
 /// is this and moves it.
-template <class Material, class Liquid, class Boundary, class Integration, GrainTag... Tags>
+template <class Material, class Liquid, class Boundary, class Integration, Host H, GrainTag... Tags>
 class scene_state {
  public:
+  /// run_options, with the host where there is one.
+  using options_type = typename detail::options_on<H>::type;
   using material_type = Material;
   using liquid_type = Liquid;
   using rows_type = scene_rows<Material, Liquid, Boundary>;
@@ -31,12 +36,12 @@ class scene_state {
   static constexpr bool wet = rows_type::wet;
 
   scene_state(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
-              const run_options& options) requires(!std::is_same_v<Liquid, dry>)
+              const options_type& options) requires(!std::is_same_v<Liquid, dry>)
       : rows_(m, l, b), integrator_(i), options_(options) {
     check_arguments();
   }
   scene_state(const Material& m, const Boundary& b, const Integration& i,
-              const run_options& options) requires(std::is_same_v<Liquid, dry>)
+              const options_type& options) requires(std::is_same_v<Liquid, dry>)
       : rows_(m, b), integrator_(i), options_(options) {
     check_arguments();
   }
@@ -107,6 +112,15 @@ class scene_state {
 
   const driven_grains& driven() const { return driven_; }
 
+  /// What speaks with the other parts of the scene.
+  H host() const {
+    if constexpr (is_distributed<H>) {
+      return options_.host;
+    } else {
+      return {};
+    }
+  }
+
   /// When the integrator was last changed.
   struct clock_start {
     double time = 0;  // s
@@ -124,7 +138,10 @@ class scene_state {
   /// unless run_options::force is set.
   void expect_limits() const {
     if (options_.force) return;
-    if (const std::string broken = violations(limits()); !broken.empty()) throw input_error(broken);
+    together(host(), [&] {
+      if (is_distributed<H> && grains_.size() == 0) return;  // nothing is here
+      if (const std::string broken = violations(limits()); !broken.empty()) throw input_error(broken);
+    });
   }
 
  protected:
@@ -139,7 +156,7 @@ class scene_state {
     }
   }
   void expect_grains(std::string_view of_what) const {
-    expects(grains_.size() > 0, "the number of grains, where " + std::string(of_what) + " is asked for,", 0,
+    expects(host().any(grains_.size() > 0), "the number of grains, where " + std::string(of_what) + " is asked for,", 0,
             "at least 1", "docs/reference/system.md");
   }
 
@@ -147,11 +164,20 @@ class scene_state {
     const double g = norm(integrator_.gravity);
     return g > 0 ? (-1.0 / g) * integrator_.gravity : vector{0, 0, 0};
   }
-  box around(const box& b) const {
+  /// Where the grains of all parts may go.
+  box wide_domain() const {
+    const box b = over_all_parts(bounding_box(grains_.template get<column::position>()));
     const vector size = b.upper - b.lower;
-    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii(grains_).second);
+    const double largest = extremes_of(grains_.template get<column::radius>(), host()).largest;
+    const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * largest);
     const vector all_around{margin, margin, margin};
     return {b.lower - all_around, b.upper + all_around};
+  }
+  box over_all_parts(const box& b) const {
+    const auto least = [&](double v) { return -host().most(grains_.size() > 0 ? -v : -HUGE_VAL); };
+    const auto most = [&](double v) { return host().most(grains_.size() > 0 ? v : -HUGE_VAL); };
+    return {{least(b.lower.x), least(b.lower.y), least(b.lower.z)},
+            {most(b.upper.x), most(b.upper.y), most(b.upper.z)}};
   }
   contact_clock clock_of(bool moving) const {
     return {integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving, steps_};
@@ -159,7 +185,7 @@ class scene_state {
 
   rows_type rows_;
   Integration integrator_;
-  run_options options_;
+  options_type options_;
   grains_type grains_;
   driven_grains driven_;
   neighbourhood near_;

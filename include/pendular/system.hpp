@@ -2,6 +2,10 @@
 #pragma once
 
 #include <pendular/boundary/liquid_acts.hpp>
+#include <pendular/boundary/luggage.hpp>
+#include <pendular/core/extremes.hpp>
+#include <pendular/core/host.hpp>
+#include <pendular/core/host_check.hpp>
 #include <pendular/liquid/protocol/homogeneous.hpp>
 #include <pendular/motion/advance.hpp>
 #include <pendular/motion/observer.hpp>
@@ -24,32 +28,37 @@ namespace pendular {
 
 /// A DEM scene: material and liquid of the grains, walls, integrator. What is not chosen is not there: no bridge,
 /// volume or film without a liquid, no rotation without friction.
-template <class Material, class Liquid, class Boundary, class Integration, GrainTag... Tags>
-class system : public scene_state<Material, Liquid, Boundary, Integration, Tags...> {
-  using state = scene_state<Material, Liquid, Boundary, Integration, Tags...>;
+template <class Material, class Liquid, class Boundary, class Integration, Host H = alone, GrainTag... Tags>
+class system : public scene_state<Material, Liquid, Boundary, Integration, H, Tags...> {
+  using state = scene_state<Material, Liquid, Boundary, Integration, H, Tags...>;
   static_assert(Integrator<Integration>,
                 "a system needs an integrator as its last policy, such as velocity_verlet{1e-6} "
                 "(docs/reference/integrators.md)");
 
  public:
-  using state::contacts, state::expect_limits, state::for_each_wall, state::pairs, state::time, state::view, state::wet;
+  using state::contacts, state::expect_limits, state::for_each_wall, state::host, state::pairs, state::time,
+      state::view, state::wet;
   using typename state::bonds_type;
   using typename state::clock_start;
   using typename state::grains_type;
+  using typename state::options_type;
   using typename state::rows_type;
 
-  system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
-         run_options options = {}) requires(!std::is_same_v<Liquid, dry>)
+  // Not deduced from: the guides below say what makes a system.
+  using made_of = std::type_identity_t<Material>;
+
+  system(const made_of& m, const Liquid& l, const Boundary& b, const Integration& i,
+         const options_type& options = default_options()) requires(!std::is_same_v<Liquid, dry>)
       : state(m, l, b, i, options) {}
-  system(const Material& m, const Boundary& b, const Integration& i,
-         run_options options = {}) requires(std::is_same_v<Liquid, dry>)
+  system(const made_of& m, const Boundary& b, const Integration& i,
+         const options_type& options = default_options()) requires(std::is_same_v<Liquid, dry>)
       : state(m, b, i, options) {}
   /// With tags of one's own for the grains, as tags<temperature>{}.
-  system(const Material& m, const Liquid& l, const Boundary& b, const Integration& i, tags<Tags...>,
-         run_options options = {}) requires(!std::is_same_v<Liquid, dry>)
+  system(const made_of& m, const Liquid& l, const Boundary& b, const Integration& i, tags<Tags...>,
+         const options_type& options = default_options()) requires(!std::is_same_v<Liquid, dry>)
       : system(m, l, b, i, options) {}
-  system(const Material& m, const Boundary& b, const Integration& i, tags<Tags...>,
-         run_options options = {}) requires(std::is_same_v<Liquid, dry>)
+  system(const made_of& m, const Boundary& b, const Integration& i, tags<Tags...>,
+         const options_type& options = default_options()) requires(std::is_same_v<Liquid, dry>)
       : system(m, b, i, options) {}
 
   /// Errors: as grains::add.
@@ -63,13 +72,12 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   /// Grains that touched none of them go on with the same bits. Errors: a grain that is not there, all of them, or as
   /// expect_limits(); nothing has changed then.
   void remove(std::span<const std::int64_t> ids) {
-    std::vector<char> gone(grains_.size(), 0);
-    for (const std::int64_t id : ids) gone[grains_.row_of(id)] = 1;
-    const auto left = static_cast<double>(std::count(gone.begin(), gone.end(), 0));
+    for (const std::int64_t id : ids) expect_there(id);
+    std::vector<char> gone = marked(ids);
+    const auto left = host().any(std::count(gone.begin(), gone.end(), 0) > 0) ? 1.0 : 0.0;
     expects(left > 0, "the number of grains that are left", left, "at least 1", "docs/reference/grains.md");
     change([&] {
-      std::fill(gone.begin(), gone.end(), 0);  // start() may have given the grains other rows
-      for (const std::int64_t id : ids) gone[grains_.row_of(id)] = 1;
+      gone = marked(ids);  // start() may have given the grains other rows
       if constexpr (wet) liquid_now().take_out(gone);
       for (const std::int64_t id : ids) {
         if (driven_.is_driven(id)) driven_.remove(id);
@@ -81,7 +89,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   /// Prescribes the motion of a grain from here on: at these velocities, whatever the forces; at rest without. In contacts
   /// it is then infinitely heavy, as a wall. Errors: a grain that is not there or is driven already.
   void drive(std::int64_t id, const vector& velocity = {0, 0, 0}, const vector& angular_velocity = {0, 0, 0}) {
-    grains_.row_of(id);
+    expect_there(id);
     driven_.add({id, velocity, angular_velocity});
     driven_.set_off(grains_, {id, velocity, angular_velocity});
     driven_.find(grains_);
@@ -101,7 +109,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   void start() {
     if (started_) return;
     expect_grains("the first step");
-    domain_ = around(bounding_box(grains_.template get<column::position>()));
+    domain_ = wide_domain();
     rebuild(true);
     renew();
     expect_limits();
@@ -113,7 +121,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   void distribute_liquid(double volume, bond_selection selection = {}) requires(!std::is_same_v<Liquid, dry>) {
     validate(selection);
     change([&] {
-      rows_.bridges().introduce(volume);
+      rows_.bridges().introduce(volume, host().leads());
       rows_.bridges().select(selection);
       see_far_enough(protocol::homogeneous{}, true);
       liquid_now().redistribute(protocol::homogeneous{});
@@ -175,12 +183,14 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   void resume_at(std::int64_t steps, const clock_start& clock) {
     steps_ = steps;
     clock_ = clock;
-    domain_ = around(bounding_box(grains_.template get<column::position>()));
+    domain_ = wide_domain();
     started_ = true;
   }
 
  private:
-  using state::around, state::check_arguments, state::clock_of, state::expect_grains, state::up;
+  static options_type default_options() requires(!is_distributed<H>) { return {}; }
+
+  using state::check_arguments, state::clock_of, state::expect_grains, state::up, state::wide_domain;
   using state::clock_, state::steps_, state::started_;
   using state::rows_, state::integrator_, state::options_, state::grains_, state::driven_, state::near_, state::domain_;
 
@@ -193,11 +203,11 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
       near_.wall_came(wall.approach_speed() * integrator_.time_step);
     });
     ++steps_;
-    if (near_.is_stale()) rebuild(false);
+    if (host().any(near_.is_stale())) rebuild(false);
     std::exception_ptr thrown;
     if constexpr (wet) thrown = act_on_liquid();
     evaluate();
-    const bool look = detail::looks_at_step<system>(observer, steps_) || has_news() || thrown;
+    const bool look = host().any(detail::looks_at_step<system>(observer, steps_) || has_news() || thrown);
     const followed_by what = goes_on && !look ? followed_by::next_step : followed_by::nothing;
     correct_all(what);
     if (thrown) std::rethrow_exception(thrown);
@@ -209,25 +219,28 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
     driven_.remember(grains_);
     near_.expire(predict(grains_, integrator_, near_.listed()));
     near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, false, true, near_.listed()));
+    update_copies();
   }
   void correct_all(followed_by what) {
     driven_.remember(grains_);
     near_.expire(correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, true, what, near_.listed()));
     const bool predicted = what == followed_by::next_step;
     near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, true, predicted, near_.listed()));
+    update_copies();
   }
 
   /// All forces of a moving scene, and what bridges do that break or may form.
   void evaluate() {
-    const contact_findings found = rows_.evaluate(grains_, pairs(), clock_of(true));
+    const contact_findings found = rows_.evaluate(grains_, pairs(), clock_of(true), host());
     if constexpr (wet) settle_if(found);
   }
   /// The forces of a scene that stands, where something has changed.
   void renew() {
     rows_.forget_constants();
-    const contact_findings found = rows_.renew(grains_, pairs(), clock_of(false));
+    const contact_findings found = rows_.renew(grains_, pairs(), clock_of(false), host());
     if constexpr (wet) settle_if(found);
     correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, false, followed_by::nothing, near_.listed());
+    update_copies();
   }
 
   /// What changes a standing scene from outside happens as a whole or not at all.
@@ -248,23 +261,77 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   /// `standing` if nobody evaluates all forces at once, `reach` is what the list must see besides, m, `gone` marks the
   /// grains that are taken out.
   void rebuild(bool standing, double reach = 0, std::span<const char> gone = {}) {
-    check_grains(grains_, domain_, steps_);
-    const double small = extreme_radii(grains_).first;
-    const double skin = small * options_.skin.value_or(cheapest_skin(longest_way(*this) / small));
+    together(host(), [&] { check_grains(grains_, domain_, steps_); });
+    const double small = extremes_of(grains_.template get<column::radius>(), host()).smallest;
+    const double skin = small * options_.skin.value_or(cheapest_skin(host().most(longest_way(*this)) / small));
     double range = skin;
     if constexpr (wet) {
       const pair_view before = view();
-      range += std::max(rows_.bridges().reach(before), reach);
+      range += std::max(rows_.bridges().reach(before, host()), reach);
       break_torn_bonds(rows_.bridges(), before, range);
     }
+    if constexpr (is_distributed<H>) {
+      exchange_and_list(standing, range, skin, gone);
+    } else {
+      list_anew(standing, range, skin, gone);
+    }
+  }
+  void list_anew(bool standing, double range, double skin, std::span<const char> gone) {
     const auto from = near_.relist(grains_, range, skin, gone);
     driven_.find(grains_);
     rows_.relist(grains_, pairs(), up(), {from.of_pairs, from.of_grains, range, skin, standing});
   }
 
+  // Parts of a scene --------------------------------------------------------------------------------------------------
+
+  /// Every grain to its keeper, with copies of those that are near, and all contacts with what they remember.
+  void exchange_and_list(bool standing, double range, double skin, std::span<const char> gone) {
+    static_assert(check::distributing_host<H>);
+    const std::size_t listed = pairs().grains(), kept = listed - grains_.copies();
+    luggage<rows_type, grains_type> bags(rows_, grains_);
+    auto parcels = bags.pack(pairs(), view(), [&](std::size_t row) {
+      const bool here = row < listed ? row < kept : host().keeps(grains_.template get<column::position>()[row]);
+      return here && (gone.empty() || gone[row] == 0);
+    });
+    const double largest = extremes_of(grains_.template get<column::radius>(), host()).largest;
+    const std::size_t kept_now = host().exchange(parcels, 2 * largest + range);
+    bags.unpack_grains(parcels, kept_now);
+    near_.forget();
+    list_anew(standing, range, skin, {});
+    bags.unpack_contacts(pairs(), view());
+    host().know_rows(grains_.template get<column::id>(), grains_.kept());
+  }
+
+  /// What moves of the copies, from their keepers.
+  void update_copies() {
+    if constexpr (is_distributed<H>) {
+      update_rows<grain_row::place>();
+      update_rows<grain_row::motion>();
+      if constexpr (grains_type::rotate) update_rows<grain_row::spin>();
+    }
+  }
+  template <class Row>
+  void update_rows() {
+    constexpr std::size_t width = sizeof(Row) / sizeof(double);
+    const std::span<Row> rows = grains_.template rows<Row>();
+    host().update_copies({reinterpret_cast<double*>(rows.data()), width * rows.size()}, width);
+  }
+
+  void expect_there(std::int64_t id) const {
+    if (!host().any(grains_.has_id(id))) grains_.row_of(id);
+  }
+  /// 1 for the rows of those of these grains that are here.
+  std::vector<char> marked(std::span<const std::int64_t> ids) const {
+    std::vector<char> marks(grains_.size(), 0);
+    for (const std::int64_t id : ids) {
+      if (grains_.has_id(id)) marks[grains_.row_of(id)] = 1;
+    }
+    return marks;
+  }
+
   // The liquid --------------------------------------------------------------------------------------------------------
 
-  auto liquid_now() { return liquid_acts<rows_type, grains_type>(rows_, grains_, pairs(), up()); }
+  auto liquid_now() { return liquid_acts<rows_type, grains_type, H>(rows_, grains_, pairs(), up(), host()); }
 
   bool has_news() const {
     if constexpr (wet) return !rows_.bridges().log().empty();
@@ -279,7 +346,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
     std::exception_ptr thrown;
     if constexpr (Liquid::has_sources) {
       thrown = liquid_now().act_at(steps_, integrator_.time_step);
-      if (rows_.bridges().asks_protocol()) near_.expire(liquid_now().outgrows_list(near_.skin()));
+      if (host().any(rows_.bridges().asks_protocol())) near_.expire(liquid_now().outgrows_list(near_.skin()));
     }
     if constexpr (Liquid::redistributes_globally) {
       const auto protocol = rows_.bridges().policies().redistribution();
@@ -297,8 +364,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   }
 
   void settle_if(const contact_findings& found) requires(!std::is_same_v<Liquid, dry>) {
-    const bool asked = found.liquid_event || rows_.bridges().asks_protocol();
-    liquid_now().settle_if(found);
+    const bool asked = liquid_now().settle_if(found);
     if (asked) near_.expire(liquid_now().outgrows_list(near_.skin()));  // liquid may have gathered on a grain
   }
 };
@@ -311,9 +377,22 @@ system(const material<M...>&, const Boundary&, const Integration&, run_options =
     -> system<material<M...>, dry, Boundary, Integration>;
 template <class... M, class... L, class Boundary, class Integration, class... Tags>
 system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
-    -> system<material<M...>, liquid<L...>, Boundary, Integration, Tags...>;
+    -> system<material<M...>, liquid<L...>, Boundary, Integration, alone, Tags...>;
 template <class... M, class Boundary, class Integration, class... Tags>
 system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
-    -> system<material<M...>, dry, Boundary, Integration, Tags...>;
+    -> system<material<M...>, dry, Boundary, Integration, alone, Tags...>;
+
+template <class... M, class... L, class Boundary, class Integration, class H>
+system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, const run_on<H>&)
+    -> system<material<M...>, liquid<L...>, Boundary, Integration, H>;
+template <class... M, class Boundary, class Integration, class H>
+system(const material<M...>&, const Boundary&, const Integration&, const run_on<H>&)
+    -> system<material<M...>, dry, Boundary, Integration, H>;
+template <class... M, class... L, class Boundary, class Integration, class... Tags, class H>
+system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
+    -> system<material<M...>, liquid<L...>, Boundary, Integration, H, Tags...>;
+template <class... M, class Boundary, class Integration, class... Tags, class H>
+system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
+    -> system<material<M...>, dry, Boundary, Integration, H, Tags...>;
 
 }  // namespace pendular

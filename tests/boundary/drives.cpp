@@ -10,6 +10,7 @@
 #include <pendular/law/normal/linear.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -145,8 +146,13 @@ TEST_CASE("a wall pushes the grains that overlap it, and they push back with the
   CHECK(contacts.force(2).z == within(1e-13, 10));
   CHECK(contacts.force(2).x == within(1e-12, 5));
   CHECK(contacts.torque(2).y == within(1e-12, -9));
-  CHECK(contacts.load(g, w).force.z == within(1e-13, -15));
-  CHECK(contacts.load(g, w).force.x == within(1e-12, -4.9));
+  const vector force = contacts.load(g, w).force;
+  CHECK(force.z == within(1e-13, -15));
+  CHECK(force.x == within(1e-12, -4.9));
+  using sum = decltype(contacts)::load_sum_type;
+  std::array<reproducible_sum, sum::width> sums;
+  contacts.add_load(g, w, sum(sums));
+  CHECK(sum(sums).value().force == force);
 }
 
 TEST_CASE("a grain keeps its spring at the wall when the list is made anew in another order") {

@@ -2,6 +2,7 @@
 // Sums that do not depend on the order, against binary numbers of 2600 digits (Boost.Multiprecision).
 #include "../catch.hpp"
 
+#include <pendular/core/certain_sum.hpp>
 #include <pendular/core/reproducible_sum.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -103,4 +104,44 @@ TEST_CASE("carries are taken before they can be lost") {
     doubling.join(same);
   }
   CHECK(doubling.value() == 0x1.fffffffffffffp81);
+}
+
+TEST_CASE("a certain sum is the exact one or says nothing, and seldom says nothing") {
+  int asked = 0, silent = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    for (const auto& [lowest, highest] : {std::pair{-60, 60}, {-3, 3}, {-30, 0}, {-1074, -1000}}) {
+      const int count = seed % 3 == 0 ? 3 : 400;
+      std::vector<double> values = random_numbers(count, lowest, highest, seed);
+      if (seed % 2 == 0) {  // all but a little of the sum cancels
+        const std::vector<double> other = random_numbers(3, lowest - 40, lowest - 30, seed + 1000);
+        for (int k = count - 1; k >= 0; --k) values.push_back(-values[static_cast<std::size_t>(k)]);
+        values.insert(values.end(), other.begin(), other.end());
+      }
+      pendular::certain_sum sum;
+      for (const double v : values) sum.add(pendular::detail::four(v));
+      for (int k = 0; k < 4; ++k) {
+        const auto value = sum.value(k);
+        if (value) CHECK(*value == exact(values));
+        const bool ordinary = seed % 2 != 0 && lowest > -1000;
+        asked += ordinary, silent += ordinary && !value;
+      }
+    }
+  }
+  CHECK(silent < asked / 100);
+}
+
+TEST_CASE("a certain sum says nothing where it could be one of two numbers") {
+  pendular::certain_sum half;
+  for (const double v : {1.0, 0x1p-53}) half.add(pendular::detail::four(v));
+  CHECK(!half.value(0));
+  for (const double v : {0x1p-120, 0x1p-140}) half.add(pendular::detail::four(v));
+  CHECK(!half.value(2));
+  pendular::certain_sum more;
+  for (const double v : {1.0, 0x1.01p-53}) more.add(pendular::detail::four(v));
+  CHECK(more.value(3) == 1 + 0x1p-52);
+  pendular::certain_sum nothing, infinite;
+  CHECK(nothing.value(0) == 0.0);
+  infinite.add(pendular::detail::four(HUGE_VAL));
+  infinite.add(pendular::detail::four(-HUGE_VAL));
+  CHECK(!infinite.value(0));
 }

@@ -73,7 +73,7 @@ struct packing {
   }
 
   pair_view view() const {
-    pair_view v{first, second, pairs.size(), position, radius, id, up};
+    pair_view v{first, second, pairs.size(), position, radius, id, up, radius.size()};
     if (floor.empty()) return v;
     v.wet_walls = true;
     v.at_walls = floor;
@@ -104,14 +104,14 @@ bonds<Liquid> bonds_of(const Liquid& policies, const packing& grains, const std:
   b.resize_films(grains.radius.size());
   for (std::size_t k = 0; k < films.size(); ++k) {
     b.introduce(films[k]);
-    b.move_film(ledger::reservoir(), ledger::film_of(k), films[k]);
+    b.fill_film(ledger::reservoir(), k, films[k], grains.view());
   }
   b.carry({}, grains.view());
   for (std::size_t p = 0; p < volumes.size(); ++p) {
     b.introduce(volumes[p]);
     b.move(ledger::reservoir(), ledger::bond_of(p), volumes[p], p, 0.0, grains.view());
   }
-  b.restore_work(0);
+  b.restore_work({});
   return b;
 }
 

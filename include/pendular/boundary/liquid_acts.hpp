@@ -17,19 +17,21 @@ namespace pendular {
 
 /// What is done to the liquid of a scene: by its bridges that break and form, by protocols, sources and users. Made where
 /// it is needed, of the rows, grains and list of the scene.
-template <class Rows, class Grains>
+template <class Rows, class Grains, Host H = alone>
 class liquid_acts {
  public:
   using bonds_type = typename Rows::bonds_type;
 
-  liquid_acts(Rows& rows, const Grains& grains, const pair_list& list, const vector& up)
-      : rows_(rows), grains_(grains), list_(list), up_(up) {}
+  liquid_acts(Rows& rows, const Grains& grains, const pair_list& list, const vector& up, const H& host = {})
+      : rows_(rows), grains_(grains), list_(list), up_(up), host_(host) {}
 
-  /// Ruptures and formations of an evaluation, if it found any or films have changed since the last.
-  void settle_if(const contact_findings& found) {
-    if (found.liquid_event || rows_.bridges().asks_protocol()) settle();
+  /// Ruptures and formations of an evaluation, if it found any or films have changed since the last. Answers whether.
+  bool settle_if(const contact_findings& found) {
+    const bool asked = host_.any(found.liquid_event || rows_.bridges().asks_protocol());
+    if (asked) settle();
     // The forces are those of the bridges before; what has settled acts in the next step, whatever is done meanwhile.
     rows_.bridges().forget_changed_rows();
+    return asked;
   }
 
   /// How far apart the pairs are that a global protocol needs in the list, m.
@@ -38,7 +40,7 @@ class liquid_acts {
     if constexpr (requires(liquid_door_archetype door) { protocol.reach(door); }) {
       const pair_view v = view();
       const auto incidences = pairs_of();
-      return protocol.reach(liquid_door(rows_.bridges(), v, incidences));
+      return protocol.reach(liquid_door(rows_.bridges(), v, incidences, host_));
     } else {
       return 0;
     }
@@ -47,8 +49,8 @@ class liquid_acts {
   void redistribute(const P& protocol) {
     const pair_view v = view();
     const auto incidences = pairs_of();
-    liquid_door door(rows_.bridges(), v, incidences);
-    protocol.redistribute(door);
+    liquid_door door(rows_.bridges(), v, incidences, host_);
+    together(host_, [&] { protocol.redistribute(door); });
     door.close();
   }
 
@@ -62,8 +64,8 @@ class liquid_acts {
   void through_door(std::string_view account, double span, const Act& act) {
     const pair_view v = view();
     const auto incidences = pairs_of();
-    outside_door door(rows_.bridges(), v, incidences, account, span);
-    act(door);
+    outside_door door(rows_.bridges(), v, incidences, account, span, host_);
+    together(host_, [&] { act(door); });
     door.close();
     rows_.bridges().ask_protocol();
   }
@@ -75,9 +77,9 @@ class liquid_acts {
         const bool first = gone[door.first_grain(pair)] != 0;
         if (first || (!door.is_at_wall(pair) && gone[door.second_grain(pair)] != 0)) door.break_bridge(pair);
       });
-      door.for_each_grain([&](std::size_t grain) {
+      for (std::size_t grain = 0; grain < door.grains(); ++grain) {
         if (gone[grain] != 0) door.dry_grain(grain, door.film(grain));
-      });
+      }
     });
   }
 
@@ -102,15 +104,17 @@ class liquid_acts {
   }
 
   /// Whether the list might miss a pair that films of today could join; `skin` is that of the list, m.
-  bool outgrows_list(double skin) const { return rows_.bridges().formation_reach(view()) + skin > list_.range(); }
+  bool outgrows_list(double skin) const {
+    return rows_.bridges().formation_reach(view(), host_) + skin > list_.range();
+  }
 
  private:
   void settle() {
     const pair_view v = view();
     if (v.wet_walls) {
-      settle_bonds(rows_.bridges(), v, boundary::gaps_of_all_rows(rows_).history(), pairs_of());
+      settle_bonds(rows_.bridges(), v, boundary::gaps_of_all_rows(rows_).history(), pairs_of(), host_);
     } else {
-      settle_bonds(rows_.bridges(), v, rows_.contacts().gaps(), pairs_of());
+      settle_bonds(rows_.bridges(), v, rows_.contacts().gaps(), pairs_of(), host_);
     }
   }
 
@@ -123,6 +127,7 @@ class liquid_acts {
   const Grains& grains_;
   const pair_list& list_;
   vector up_;
+  H host_;
 };
 
 }  // namespace pendular

@@ -85,7 +85,8 @@ class scene_rows {
                 g.template get<column::position>(),
                 g.template get<column::radius>(),
                 g.template get<column::id>(),
-                up};
+                up,
+                g.kept()};
     if constexpr (wet) boundary::append_wet_rows(*this, g, v);
     return v;
   }
@@ -124,53 +125,91 @@ class scene_rows {
   }
 
   /// All forces; what walls feel is told to them.
-  template <class Grains>
-  contact_findings evaluate(const Grains& g, const pair_list& list, const contact_clock& clock) {
+  template <class Grains, Host H = alone>
+  contact_findings evaluate(const Grains& g, const pair_list& list, const contact_clock& clock, const H& host = {}) {
     contact_findings found = contacts_.evaluate(g, list, material_, bonds_, clock);
-    if (found.trouble) report_pair_trouble(g, list, contacts_, clock.overlap_limit, clock.step);
-    loads_.clear();
-    for_each_wall([&](auto& wall, auto& contacts) {
-      const contact_findings here = contacts.evaluate(g, wall, material_of(wall), bonds_, clock);
-      if (here.trouble) report_wall_trouble(g, contacts, clock.overlap_limit, clock.step);
-      found |= here;
-      wall.take(contacts.load(g, wall), clock.moving ? clock.time_step : 0);
-      loads_.add(contacts);
-    });
+    for_each_wall(
+        [&](auto& wall, auto& contacts) { found |= contacts.evaluate(g, wall, material_of(wall), bonds_, clock); });
+    expect_no_trouble(found, g, list, clock, host);
+    load_walls(g, clock, host);
     return found;
   }
 
   /// The forces of rows that are new or whose bridge has changed, as they stand; all others stay to the last bit.
-  template <class Grains>
-  contact_findings renew(const Grains& g, const pair_list& list, const contact_clock& clock) {
+  template <class Grains, Host H = alone>
+  contact_findings renew(const Grains& g, const pair_list& list, const contact_clock& clock, const H& host = {}) {
     const std::vector<std::size_t> changed = changed_bridges();
     contact_findings found = contacts_.renew(g, list, material_, bonds_, clock, part(changed, 0, list.padded_size()));
-    if (found.trouble) report_pair_trouble(g, list, contacts_, clock.overlap_limit, clock.step);
-    loads_.clear();
     for_each_wall([&](auto& wall, auto& contacts) {
       const auto here_changed = part(changed, contacts.bond_row(0), contacts.bond_row(contacts.size()));
-      const contact_findings here = contacts.renew(g, wall, material_of(wall), bonds_, clock, here_changed);
-      if (here.trouble) report_wall_trouble(g, contacts, clock.overlap_limit, clock.step);
-      found |= here;
-      wall.take(contacts.load(g, wall), 0);
-      loads_.add(contacts);
+      found |= contacts.renew(g, wall, material_of(wall), bonds_, clock, here_changed);
     });
+    expect_no_trouble(found, g, list, clock, host);
+    load_walls(g, clock, host);
     return found;
   }
 
-  /// Takes gaps from where the grains are, and makes the running sums anew.
+  /// Takes gaps from where the grains are.
   template <class Grains>
   void canonicalise(const Grains& g, const pair_view& view) {
     contacts_.recall_gaps(view);
-    contacts_.work().fold();
-    for_each_wall([&](auto& wall, auto& contacts) {
-      contacts.recall_gaps(g, wall);
-      contacts.work().fold();
-    });
+    for_each_wall([&](auto& wall, auto& contacts) { contacts.recall_gaps(g, wall); });
   }
 
   const wall_loads<Material::has_friction>& loads() const { return loads_; }
 
+  /// Nothing is left of the rows, because all grains and what their rows remember are put back by hand.
+  void forget_rows(std::size_t grains) {
+    contacts_.forget_rows();
+    for_each_wall([](auto&, auto& contacts) { contacts.forget_rows(); });
+    if constexpr (wet) bonds_.forget_rows(grains);
+  }
+
  private:
+  template <class Grains, Host H>
+  void expect_no_trouble(const contact_findings& found, const Grains& g, const pair_list& list,
+                         const contact_clock& clock, const H& host) const {
+    together(host, [&] {
+      if (!found.trouble) return;
+      report_pair_trouble(g, list, contacts_, clock.overlap_limit, clock.step);
+      for_each_wall([&](const auto&, const auto& contacts) {
+        report_wall_trouble(g, contacts, clock.overlap_limit, clock.step);
+      });
+      report_hidden_trouble(clock.step);
+    });
+  }
+
+  /// What the grains of all parts of a scene do to the walls, and walls to the grains.
+  template <class Grains, Host H>
+  void load_walls(const Grains& g, const contact_clock& clock, const H& host) {
+    loads_.clear();
+    for_each_wall([&](const auto&, auto& contacts) { loads_.add(contacts); });
+    const double time_step = clock.moving ? clock.time_step : 0;
+    if constexpr (is_distributed<H>) {
+      take_joined_loads(g, time_step, host);
+    } else {
+      for_each_wall([&](auto& wall, auto& contacts) { wall.take(contacts.load(g, wall), time_step); });
+    }
+  }
+
+  /// The sums of all walls are joined at once.
+  template <class Grains, Host H>
+  void take_joined_loads(const Grains& g, double time_step, const H& host) {
+    std::vector<reproducible_sum> sums;
+    for_each_wall([&](const auto& wall, auto& contacts) {
+      using load_sum = typename std::remove_cvref_t<decltype(contacts)>::load_sum_type;
+      sums.resize(sums.size() + load_sum::width);
+      contacts.add_load(g, wall, load_sum(std::span(sums).last(load_sum::width)));
+    });
+    host.sum(sums);
+    std::size_t first = 0;
+    for_each_wall([&](auto& wall, auto& contacts) {
+      using load_sum = typename std::remove_cvref_t<decltype(contacts)>::load_sum_type;
+      wall.take(load_sum(std::span(sums).subspan(first, load_sum::width)).value(), time_step);
+      first += load_sum::width;
+    });
+  }
+
   std::vector<std::size_t> changed_bridges() {
     if constexpr (wet) {
       return bonds_.changed_rows();

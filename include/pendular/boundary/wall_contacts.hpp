@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/boundary/load_sum.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/contact/contact_rows.hpp>
+#include <pendular/core/certain_sum.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -116,6 +120,12 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
     return origin;
   }
 
+  void forget_rows() {
+    rows::forget_rows();
+    count_ = 0;
+    grain_rows_.clear();
+  }
+
   /// Takes the next rows of the bonds, whose origin so far is `bond_origin`; `origin` is what `rebuild` answered.
   void take_bond_rows(std::span<const std::int32_t> origin, std::vector<std::int32_t>& bond_origin) {
     const auto old_first = static_cast<std::int32_t>(first_bond_);
@@ -160,23 +170,42 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
     for (std::size_t k = 0; k < count_; ++k) this->recall_gap(k, meet_one(g, w, k).gap);
   }
 
-  /// What the grains do to the wall, with the drive's turning point as the centre of the torque.
+  using load_sum_type = load_sum<decltype(Wall::drive)>;
+
+  /// What the grains do to the wall, the same to the last bit as from a load_sum.
   template <class Grains>
   wall_load load(const Grains& g, const Wall& w) const {
-    wall_load sum;
+    if constexpr (HasOneVelocity<decltype(w.drive)>) {
+      if (const auto force = certain_force()) return {*force};
+    }
+    std::array<reproducible_sum, load_sum_type::width> sums;
+    add_load(g, w, load_sum_type(sums));
+    return load_sum_type(sums).value();
+  }
+
+  /// Adds it to a sum over all parts of a scene, with the drive's turning point as the centre of the torque.
+  template <class Grains>
+  void add_load(const Grains& g, const Wall& w, load_sum_type sum) const {
     for (std::size_t k = 0; k < count_; ++k) {
       const vector force = -1.0 * this->force(k);
-      sum.force += force;
+      if (force.x == 0 && force.y == 0 && force.z == 0) continue;
+      sum.add(force);
       if constexpr (!HasOneVelocity<decltype(w.drive)>) {
         const vector point = contact_point(g, w, k);
-        sum.torque += cross(point - w.drive.pivot(), force);
-        sum.power -= dot(force, w.drive.velocity_at(point));
+        sum.add_turn(cross(point - w.drive.pivot(), force), -dot(force, w.drive.velocity_at(point)));
       }
     }
-    return sum;
   }
 
  private:
+  std::optional<vector> certain_force() const {
+    certain_sum sum;
+    for (std::size_t k = 0; k < count_; ++k) sum.add(pendular::detail::load_row(push_of(this->actions()[k])));
+    const auto x = sum.value(0), y = sum.value(1), z = sum.value(2);
+    if (!x || !y || !z) return {};
+    return vector{-*x, -*y, -*z};
+  }
+
   const Bonds& own_bonds(const Bonds& bonds) const requires(carries_bridges) { return bonds; }
   no_bonds own_bonds(const Bonds&) const requires(!carries_bridges) { return {}; }
 
@@ -194,7 +223,7 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
     const auto radius = g.template get<column::radius>();
     const auto id = g.template get<column::id>();
     std::vector<std::int32_t> near;
-    for (std::size_t row = 0; row < g.size(); ++row) {
+    for (std::size_t row = 0; row < g.kept(); ++row) {
       if (w.shape.meet(position[row], radius[row]).gap < range) near.push_back(static_cast<std::int32_t>(row));
     }
     std::sort(near.begin(), near.end(), [&](std::int32_t a, std::int32_t b) {

@@ -7,6 +7,7 @@
 #include <pendular/contact/findings.hpp>
 #include <pendular/contact/force.hpp>
 #include <pendular/contact/gap_record.hpp>
+#include <pendular/contact/row_state.hpp>
 #include <pendular/contact/separation.hpp>
 #include <pendular/contact/work_sums.hpp>
 #include <pendular/core/parallel.hpp>
@@ -89,9 +90,23 @@ class contact_rows {
     return all;
   }
 
-  /// Puts back what a checkpoint had of a row; all others do not act.
-  void restore_action(std::size_t row, const action_row<Rotates>& action) { actions_[row] = action; }
-  void know_actions() { fresh_.clear(); }
+  using state_type = row_state<memory<double>, typename work_sums_if<KeepsBook>::template account<double>, Rotates>;
+  state_type take(std::size_t row) const { return {actions_[row], gaps_.now()[row], memory_.row(row), work_.row(row)}; }
+  void put(std::size_t row, const state_type& state) {
+    actions_[row] = state.action;
+    gaps_.recall(row, state.gap);
+    memory_.set_row(row, state.remembered);
+    work_.set_row(row, state.work);
+  }
+  /// Nothing is left of the rows, because all are put back by hand.
+  void forget_rows() {
+    work_.forget_rows();
+    fresh_.clear();
+  }
+  /// Whether what acts on a row is known: it has been evaluated since it was listed, or put back.
+  bool is_known(std::size_t row) const { return !std::binary_search(fresh_.begin(), fresh_.end(), row); }
+  /// After rows were put back, those are new that are left in this list; none by default.
+  void renew_only(std::vector<std::size_t> rows = {}) { fresh_ = std::move(rows); }
 
   /// Gaps of the last evaluation, m.
   std::span<const double> gap() const { return gaps_.now().first(size_); }
@@ -111,7 +126,7 @@ class contact_rows {
   const work_sums_if<KeepsBook>& work() const { return work_; }
 
  private:
-  static constexpr std::size_t chunk = work_sums::chunk;
+  static constexpr std::size_t chunk = 512;
   static constexpr char idle = 0, bridging = 1, in_contact = 2;
 
   void carry_actions(std::span<const std::int32_t> origin, std::size_t rows, bool keeps) {
@@ -192,7 +207,7 @@ class contact_rows {
     const block smaller = min(e.approaching.radius_i, e.approaching.radius_j);
     found.room = min(found.room, gap + clock.overlap_limit * smaller);
     found.demand_finite(gap + force.x + force.y + force.z);
-    if constexpr (KeepsBook) work_.add(p, way.size(), e, f, clock);
+    if constexpr (KeepsBook) work_.add(p, e, f, clock);
   }
 
   void store_action(std::size_t p, const block& gap, const Vec3<block>& force, const Vec3<block>& torque) {
@@ -209,7 +224,9 @@ class contact_rows {
                    const std::array<bool, lane_count>& wanted, lane_findings& found) {
     const std::vector<action_row<Rotates>> actions(actions_.begin() + static_cast<std::ptrdiff_t>(begin),
                                                    actions_.begin() + static_cast<std::ptrdiff_t>(begin + lane_count));
-    const auto last = work_.last_of(begin);
+    using account = typename work_sums_if<KeepsBook>::template account<double>;
+    std::array<account, lane_count> accounts;
+    for (std::size_t lane = 0; KeepsBook && lane < lane_count; ++lane) accounts[lane] = work_.row(begin + lane);
     evaluate_block(way, bonds, clock, begin, found);
     // Which rows lie in a block is chance, so only the wanted ones may have events.
     const block asked = block::from([&](int lane) { return wanted[static_cast<std::size_t>(lane)] ? 1.0 : 0.0; });
@@ -217,7 +234,7 @@ class contact_rows {
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       if (wanted[lane]) continue;
       actions_[begin + lane] = actions[lane];
-      work_.restore_last(begin + lane, last, lane);
+      if constexpr (KeepsBook) work_.set_row(begin + lane, accounts[lane]);
     }
   }
 

@@ -19,10 +19,10 @@ inline std::string at_step(std::int64_t id, std::int64_t step) {
 }
 }  // namespace detail
 
-/// Finds and reports what the evaluation of the pairs only noticed.
+/// Finds and reports what an evaluation only noticed, if it was a pair.
 template <class Grains, class Contacts>
-[[noreturn]] void report_pair_trouble(const Grains& g, const pair_list& list, const Contacts& contacts,
-                                      double overlap_limit, std::int64_t step) {
+void report_pair_trouble(const Grains& g, const pair_list& list, const Contacts& contacts, double overlap_limit,
+                         std::int64_t step) {
   const auto gap = contacts.gap();
   const auto radius = g.template get<column::radius>();
   const auto id = g.template get<column::id>();
@@ -48,14 +48,11 @@ template <class Grains, class Contacts>
                     ": the contact is too soft for the load or the step too long (see "
                     "docs/how-to/stability.md)");
   }
-  throw run_error("a law returned a value that is not finite at step " + std::to_string(step) +
-                  " for a pair without force (see docs/how-to/stability.md)");
 }
 
 /// The same for a wall.
 template <class Grains, class WallContacts>
-[[noreturn]] void report_wall_trouble(const Grains& g, const WallContacts& contacts, double overlap_limit,
-                                      std::int64_t step) {
+void report_wall_trouble(const Grains& g, const WallContacts& contacts, double overlap_limit, std::int64_t step) {
   const auto radius = g.template get<column::radius>();
   const auto id = g.template get<column::id>();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -71,8 +68,12 @@ template <class Grains, class WallContacts>
                          : " got a force that is not finite from a wall: check the wall's material and shape (see "
                            "docs/how-to/stability.md)"));
   }
-  throw run_error("a wall returned a value that is not finite at step " + std::to_string(step) +
-                  " (see docs/how-to/stability.md)");
+}
+
+/// What neither of them finds.
+[[noreturn]] inline void report_hidden_trouble(std::int64_t step) {
+  throw run_error("a law returned a value that is not finite at step " + std::to_string(step) +
+                  " for a contact without force (see docs/how-to/stability.md)");
 }
 
 }  // namespace pendular

@@ -65,6 +65,7 @@ class strided {
     T& operator[](std::size_t k) const { return *reinterpret_cast<T*>(first_ + k * stride_); }
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
+    strided first(std::size_t count) const { return {reinterpret_cast<T*>(first_), count, stride_}; }
     std::size_t stride() const { return stride_; }  // bytes
     iterator begin() const { return {first_, static_cast<std::ptrdiff_t>(stride_)}; }
     iterator end() const { return begin() + static_cast<std::ptrdiff_t>(size_); }

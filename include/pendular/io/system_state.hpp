@@ -47,13 +47,8 @@ void save(checkpoint_writer& out, const System& s) {
   const auto pair_key = [&](std::size_t p, std::vector<std::int64_t>& keys) {
     keys.insert(keys.end(), {view.id[view.grain_i(p)], view.id[view.grain_j(p)]});
   };
-  detail::put_memories(out, "pair.memory", s.contacts().memories(), view.pairs, pair_key);
-  detail::put_actions(out, "pair.action", s.contacts(), view.pairs, pair_key);
-  if constexpr (System::material_type::keeps_energy_book) {
-    detail::put_memories(out, "pair.last_force", s.contacts().work().last_forces(), view.pairs, pair_key);
-  }
-  const auto work = s.contacts().work().total();
-  out.put("pair.work", std::vector<double>{work.damping, work.friction});
+  detail::put_rows(out, "pair.rows", s.contacts(), view.pairs, pair_key);
+  detail::put_work(out, "pair", s.contacts());
   if constexpr (System::wet) detail::put_liquid(out, s);
   detail::put_walls(out, s);
   detail::put_driven(out, s.driven());
@@ -96,19 +91,14 @@ std::vector<std::string> load_into(const checkpoint_reader& in, System& s, winne
   get_walls(in, s);
   if (wins == winner::program) take_parameters(s, of_walls);
   get_driven(in, s);
-  const auto work = in.get<std::vector<double>>("pair.work", 2);
-  s.contacts().work().restore({work[0], work[1]});
+  get_work(in, "pair", s.contacts());
   list_again(in, s);
   const row_index rows(s.particles());
   if constexpr (System::wet) get_bridges(in, s, rows);
   const auto view = s.view();
   const auto pair_row = [&](const std::int64_t* key) { return pair_of(s, view, rows, key); };
-  get_memories(in, "pair.memory", s.contacts().memories(), 2, pair_row);
-  get_actions(in, "pair.action", s.contacts(), 2, pair_row);
-  if constexpr (System::material_type::keeps_energy_book) {
-    get_memories(in, "pair.last_force", s.contacts().work().last_forces(), 2, pair_row);
-  }
-  get_wall_memories(in, s, rows);
+  get_rows(in, "pair.rows", s.contacts(), 2, pair_row);
+  get_wall_rows(in, s, rows);
   s.expect_limits();
   return differing;
 }

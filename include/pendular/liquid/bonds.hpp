@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/extremes.hpp>
+#include <pendular/core/host.hpp>
 #include <pendular/core/scalar_table.hpp>
 #include <pendular/law/validity.hpp>
 #include <pendular/liquid/bond_size.hpp>
@@ -52,7 +54,7 @@ class bonds {
   }
 
   /// As ledger has them.
-  void introduce(double volume) { ledger_.introduce(volume); }
+  void introduce(double volume, bool into_this = true) { ledger_.introduce(volume, into_this); }
   void resize_films(std::size_t grains) { ledger_.resize_films(grains); }
   void permute_films(std::span<const std::size_t> order) { ledger_.permute_films(order); }
   ledger::account open_outside(std::string_view name) { return ledger_.open_outside(name); }
@@ -67,6 +69,7 @@ class bonds {
     log_.clear();
   }
   void note(bridge_change what, std::size_t p, double gap, double volume, const pair_view& view) {
+    if (!view.counts_here(p)) return;
     ++(what == bridge_change::formed ? events_.formations : events_.ruptures);
     if (keeps_log_) log_.push_back({what, view.ids(p), p, gap, volume});
   }
@@ -89,6 +92,19 @@ class bonds {
     return rows;
   }
   void forget_changed_rows() { changed_.clear(); }
+  /// What the bridge of every row had before it was changed, m3; no number where it was not.
+  std::vector<double> volumes_before() const {
+    std::vector<double> before(breaks_above_.size(), std::numeric_limits<double>::quiet_NaN());
+    for (auto c = changed_.rbegin(); c != changed_.rend(); ++c) before[c->row] = c->before;
+    return before;
+  }
+  void restore_change(std::size_t row, double before) { changed_.push_back({row, before}); }
+
+  /// For a part that takes its grains and their bridges anew: as if there were none.
+  void forget_rows(std::size_t grains) {
+    ledger_.forget_rows(grains);
+    changed_.clear();
+  }
 
   /// Which pairs distributions wet, and what the grains hold that no protocol makes bridges of.
   const bond_selection& selection() const { return selection_; }
@@ -112,7 +128,8 @@ class bonds {
   void restore_outside(const out_of_validity& counts) { outside_ = counts; }
 
   /// Energy set free by forming, breaking and refilling bridges since the start, J; 0 for a law without energy.
-  double work() const { return work_; }
+  double work() const { return work_.value(); }
+  const reproducible_sum& work_sum() const { return work_; }
 
   /// Puts back what a checkpoint had.
   void restore(std::size_t p, double volume, const pair_view& view) {
@@ -121,7 +138,7 @@ class bonds {
   }
   void restore_film(std::size_t grain, double volume) { ledger_.restore(ledger::film_of(grain), volume); }
   void restore_books(const ledger::books& books) { ledger_.restore(books); }
-  void restore_work(double work) { work_ = work; }
+  void restore_work(const reproducible_sum& work) { work_ = work; }
 
   /// Pull of a block of pairs, N, zero for pairs without a bridge and beyond rupture.
   block attraction(std::size_t first_pair, const block& gap) const {
@@ -161,23 +178,27 @@ class bonds {
 
   /// Largest rupture distance of a present bridge, or of one that could form from the liquid which the grains have in
   /// films and bridges, m: what the list must see.
-  double reach(const pair_view& view) const {
+  template <Host H = alone>
+  double reach(const pair_view& view, const H& host = {}) const {
     double farthest = 0;
     for (const double gap : breaks_above_) farthest = std::max(farthest, gap);
-    return std::max(farthest, formation_reach(view));
+    return std::max(host.most(farthest), formation_reach(view, host));
   }
 
   /// The part of it that films and bridges of today could form, m.
-  double formation_reach(const pair_view& view) const {
-    if (!Liquid::redistributes_locally || view.radius.empty()) return 0;
+  template <Host H = alone>
+  double formation_reach(const pair_view& view, const H& host = {}) const {
+    if (!Liquid::redistributes_locally) return 0;
     if (liquid_.formation().reach(1.0) == liquid_.formation().reach(2.0)) return liquid_.formation().reach(1.0);
     std::vector<double> liquid(ledger_.films().begin(), ledger_.films().end());
     view.for_each_row([&](std::size_t p) {
       view.for_each_grain_of(p, [&](std::size_t grain) { liquid[grain] += ledger_.bonds()[p]; });
     });
-    const double most = 2 * *std::max_element(liquid.begin(), liquid.end());
-    const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
-    return liquid_.formation().reach(std::max(farthest_of(view, *small, most), farthest_of(view, *large, most)));
+    // Of copies not all bridges are here; what they have in all is more and known to their keepers.
+    const double most = 2 * std::max(extremes_of(liquid, host).largest, 0.0);
+    const auto [small, large] = extremes_of(view.radius, host);
+    if (!(large > 0)) return 0;
+    return liquid_.formation().reach(std::max(farthest_of(view, small, most), farthest_of(view, large, most)));
   }
 
   /// Rupture distance of a bridge of this volume between grains of this radius, or at a wall that carries bridges, m.
@@ -211,14 +232,29 @@ class bonds {
   void move(ledger::account from, ledger::account to, double volume, std::size_t p, double gap, const pair_view& view) {
     const double before = energy(p, gap, view);
     changed_.push_back({p, ledger_.bonds()[p]});
-    ledger_.transfer(from, to, volume);
+    const bool counts = view.counts_here(p);
+    ledger_.transfer(counted(from, counts), counted(to, counts), volume);
     refresh(p, view);
-    work_ += energy(p, gap, view) - before;
+    if (counts) work_.add(energy(p, gap, view) - before);
   }
 
-  /// Moves liquid between accounts that are no bonds. The thresholds of the pairs of a film are then to be refreshed.
-  void move_film(ledger::account from, ledger::account to, double volume) { ledger_.transfer(from, to, volume); }
-  void empty_film(std::size_t grain, ledger::account to) { ledger_.empty(ledger::film_of(grain), to); }
+  /// Moves liquid between a film and an account that is no bond. The thresholds of the pairs of the film are then to be
+  /// refreshed.
+  void fill_film(ledger::account from, std::size_t grain, double volume, const pair_view& view) {
+    ledger_.transfer(counted(from, view.keeps(grain)), ledger::film_of(grain), volume);
+  }
+  void drain_film(std::size_t grain, ledger::account to, double volume, const pair_view& view) {
+    ledger_.transfer(ledger::film_of(grain), counted(to, view.keeps(grain)), volume);
+  }
+  void empty_film(std::size_t grain, ledger::account to, const pair_view& view) {
+    ledger_.empty(ledger::film_of(grain), counted(to, view.keeps(grain)));
+  }
+  /// Films of copies become those that their keepers have. Answers which did change.
+  template <Host H>
+  std::vector<std::size_t> mirror_films(const pair_view& view, const H& host) {
+    if constexpr (!is_distributed<H>) return {};
+    return ledger_.mirror_films(view.kept, host);
+  }
 
   /// All of bond p, to another account.
   void drain(std::size_t p, ledger::account to, double gap, const pair_view& view) {
@@ -263,6 +299,12 @@ class bonds {
   }
 
  private:
+  /// Accounts of the whole scene keep what belongs to rows that are counted here.
+  static ledger::account counted(ledger::account a, bool counts) {
+    const bool of_row = a.what == ledger::kind::film || a.what == ledger::kind::bond;
+    return counts || of_row ? a : ledger::elsewhere();
+  }
+
   void carry_changed(std::span<const std::int32_t> origin) {
     if (changed_.empty()) return;
     std::vector<std::size_t> row_now(breaks_above_.size(), origin.size());
@@ -289,7 +331,7 @@ class bonds {
   coefficients<double> idle_;  // of a bridge between grains of radius 1, where there is none
   scalar_table<coefficients> coefficients_;
   std::vector<double> breaks_above_, forms_below_;
-  double work_ = 0;
+  reproducible_sum work_;
   out_of_validity outside_;
   bond_events events_;
   std::vector<bridge_event> log_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/core/expects.hpp>
+#include <pendular/core/host.hpp>
 #include <pendular/liquid/redistribution.hpp>
 
 #include <algorithm>
@@ -18,13 +19,18 @@ namespace pendular {
 /// The one way in which protocols of one's own, sources, sinks and users move liquid: whatever is moved, pull, rupture and
 /// formation of the bridges and pairs it touches follow. Grains are named by their row, bridges by that of their pair.
 /// Volumes are m3, at least 0 and at most what is there: input_error else, and nothing was moved.
-template <class Liquid, class PairsOf>
+///
+/// Where the scene is one of several parts, every part is asked. It visits the grains that it keeps, and all pairs of these,
+/// some of which others visit too: what is done to a pair must follow from what the door shows of it, and from sums over the
+/// scene, so that all parts do the same.
+template <class Liquid, class PairsOf, Host H = alone>
 class liquid_door {
  public:
-  liquid_door(bonds<Liquid>& b, const pair_view& view, const PairsOf& pairs_of)
-      : bonds_(b), view_(view), pairs_of_(pairs_of) {}
+  liquid_door(bonds<Liquid>& b, const pair_view& view, const PairsOf& pairs_of, const H& host = {})
+      : bonds_(b), view_(view), pairs_of_(pairs_of), host_(host) {}
 
   // What is there.
+  /// Rows of grains, of copies too.
   std::size_t grains() const { return view_.radius.size(); }
   std::int64_t id(std::size_t grain) const { return view_.id[grain]; }
   const vector& position(std::size_t grain) const { return view_.position[grain]; }  // m
@@ -53,10 +59,27 @@ class liquid_door {
   void for_each_bridge(const Visit& visit) const {
     for (const std::size_t p : rows([&](std::size_t row) { return is_bridged(row); })) visit(p);
   }
+  /// The sum over all grains of the scene of a number that each has.
+  template <class Number>
+  double sum_over_grains(const Number& number) const {
+    reproducible_sum sum;
+    for (std::size_t grain = 0; grain < view_.kept; ++grain) sum.add(number(grain));
+    return total(host_, sum);
+  }
+  /// The same over all pairs or bridges.
+  template <class Number>
+  double sum_over_bridges(const Number& number) const {
+    reproducible_sum sum;
+    view_.for_each_row([&](std::size_t p) {
+      if (is_bridged(p) && view_.counts_here(p)) sum.add(number(p));
+    });
+    return total(host_, sum);
+  }
+
   /// visit(grain) in the order of ids.
   template <class Visit>
   void for_each_grain(const Visit& visit) const {
-    std::vector<std::size_t> all(grains());
+    std::vector<std::size_t> all(view_.kept);
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
     std::sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) { return id(a) < id(b); });
     for (const std::size_t grain : all) visit(grain);
@@ -64,13 +87,15 @@ class liquid_door {
 
   // Moves within the scene.
   void from_film_to_film(std::size_t from, std::size_t to, double volume) {
-    move_film(ledger::film_of(from), ledger::film_of(to), volume);
+    expect_film(from, volume);
+    bonds_.drain_film(from, ledger::film_of(to), volume, view_);
     touch(from), touch(to);
   }
   /// Fills a bridge or forms one. False, and nothing is moved, if no bridge of this volume can be there: it is less than
   /// the minimum volume or would break at once.
   bool from_film_to_bridge(std::size_t grain, std::size_t pair, double volume) {
     touch(grain);
+    expect_film(grain, volume);
     return fill(ledger::film_of(grain), pair, volume);
   }
   void from_bridge_to_film(std::size_t pair, std::size_t grain, double volume) {
@@ -85,15 +110,17 @@ class liquid_door {
   }
   /// All liquid over all eligible pairs (Richefeu et al. 2007, Eqs. 13-14), which the list must see: homogeneous_reach().
   void share_homogeneously() {
-    distribute_homogeneously(bonds_, view_);
+    distribute_homogeneously(bonds_, view_, host_);
     touched_.clear();  // all thresholds are new
   }
   double homogeneous_reach() const {
-    return pendular::homogeneous_reach(bonds_, view_, candidates(view_, bonds_.selection()), bonds_.book().here());
+    const auto all = candidates(view_, bonds_.selection());
+    return pendular::homogeneous_reach(bonds_, view_, all, bonds_.book().here(host_), host_);
   }
 
   /// New thresholds for the pairs of the grains whose films have changed; done by whoever opened the door.
   void close() {
+    for (const std::size_t grain : bonds_.mirror_films(view_, host_)) touch(grain);
     detail::refresh_dry_pairs(bonds_, std::move(touched_), view_, pairs_of_);
     touched_.clear();
   }
@@ -107,20 +134,15 @@ class liquid_door {
     expects(volume >= 0 && volume <= there, "the volume taken from " + of_what + " (m3)", volume,
             "at least 0 and at most the " + detail::number(there) + " that are there", page);
   }
-  void expect_film(ledger::account from, double volume) const {
-    if (from.what != ledger::kind::film || (volume >= 0 && volume <= film(from.row))) return;
-    expect_there(volume, film(from.row), "the film of grain " + std::to_string(id(from.row)));
+  void expect_film(std::size_t grain, double volume) const {
+    if (volume >= 0 && volume <= film(grain)) return;
+    expect_there(volume, film(grain), "the film of grain " + std::to_string(id(grain)));
   }
   void expect_bridge(std::size_t pair, double volume) const {
     const double there = bonds_.book().bonds()[pair];
     if (volume >= 0 && volume <= there) return;
     const auto [i, j] = ids(pair);
     expect_there(volume, there, "the bridge of " + std::to_string(i) + " and " + std::to_string(j));
-  }
-
-  void move_film(ledger::account from, ledger::account to, double volume) {
-    expect_film(from, volume);
-    bonds_.move_film(from, to, volume);
   }
 
   bool can_hold(std::size_t pair, double volume, double gap) const {
@@ -130,7 +152,6 @@ class liquid_door {
   }
 
   bool fill(ledger::account from, std::size_t pair, double volume) {
-    expect_film(from, volume);
     const double gap = view_.gap(pair);
     if (volume == 0 || !can_hold(pair, volume, gap)) return false;
     if (!is_bridged(pair)) bonds_.note(bridge_change::formed, pair, gap, volume, view_);
@@ -151,6 +172,7 @@ class liquid_door {
   }
 
   bonds<Liquid>& bonds_;
+  const pair_view& view_;
 
  private:
   template <class Wanted>
@@ -163,19 +185,20 @@ class liquid_door {
     return found;
   }
 
-  const pair_view& view_;
   const PairsOf& pairs_of_;
+  H host_;
   std::vector<std::size_t> touched_;
 };
 
 /// The same with moves between the scene and one account outside of it, for sources and sinks.
-template <class Liquid, class PairsOf>
-class outside_door : public liquid_door<Liquid, PairsOf> {
-  using inside = liquid_door<Liquid, PairsOf>;
+template <class Liquid, class PairsOf, Host H = alone>
+class outside_door : public liquid_door<Liquid, PairsOf, H> {
+  using inside = liquid_door<Liquid, PairsOf, H>;
 
  public:
-  outside_door(bonds<Liquid>& b, const pair_view& view, const PairsOf& pairs_of, std::string_view account, double span)
-      : inside(b, view, pairs_of), outside_(b.open_outside(account)), span_(span) {}
+  outside_door(bonds<Liquid>& b, const pair_view& view, const PairsOf& pairs_of, std::string_view account, double span,
+               const H& host = {})
+      : inside(b, view, pairs_of, host), outside_(b.open_outside(account)), span_(span) {}
 
   /// Since the source acted last: its period, s.
   double time_span() const { return span_; }
@@ -183,11 +206,12 @@ class outside_door : public liquid_door<Liquid, PairsOf> {
   void wet_grain(std::size_t grain, double volume) {
     expect_new(volume);
     this->touch(grain);
-    this->move_film(outside_, ledger::film_of(grain), volume);
+    this->bonds_.fill_film(outside_, grain, volume, this->view_);
   }
   void dry_grain(std::size_t grain, double volume) {
+    this->expect_film(grain, volume);
     this->touch(grain);
-    this->move_film(ledger::film_of(grain), outside_, volume);
+    this->bonds_.drain_film(grain, outside_, volume, this->view_);
   }
   /// As from_film_to_bridge.
   bool fill_bridge(std::size_t pair, double volume) {

@@ -36,6 +36,14 @@ struct liquid_door_archetype {
   void for_each_grain(const Visit& visit) const {
     visit(std::size_t{0});
   }
+  template <class Number>
+  double sum_over_grains(const Number& number) const {
+    return number(std::size_t{0});
+  }
+  template <class Number>
+  double sum_over_bridges(const Number& number) const {
+    return number(std::size_t{0});
+  }
   void from_film_to_film(std::size_t from, std::size_t to, double volume);
   bool from_film_to_bridge(std::size_t grain, std::size_t pair, double volume);
   void from_bridge_to_film(std::size_t pair, std::size_t grain, double volume);

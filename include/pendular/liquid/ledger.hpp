@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/core/compensated_sum.hpp>
 #include <pendular/core/expects.hpp>
+#include <pendular/core/host.hpp>
+#include <pendular/core/reproducible_sum.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +21,10 @@ namespace pendular {
 /// by `transfer`, never by assignment: what is here and what is outside add up to what was introduced, to round-off.
 class ledger {
  public:
-  enum class kind { film, bond, reservoir, outside };
+  enum class kind { film, bond, reservoir, outside, elsewhere };
 
   /// A film has the row of its grain, a bond that of its pair; the reservoir is where liquid waits to be distributed; an
-  /// account outside of the scene has the place in which it was opened.
+  /// account outside of the scene has the place in which it was opened; elsewhere is what another part of the scene counts.
   struct account {
     kind what;
     std::size_t row = 0;
@@ -31,11 +32,12 @@ class ledger {
   static constexpr account film_of(std::size_t grain) { return {kind::film, grain}; }
   static constexpr account bond_of(std::size_t pair) { return {kind::bond, pair}; }
   static constexpr account reservoir() { return {kind::reservoir}; }
+  static constexpr account elsewhere() { return {kind::elsewhere}; }
 
   /// Outside of the scene: vapour, spray, what left with a grain. Positive if the scene has lost liquid to it.
   struct outside_account {
     std::string name;
-    compensated_sum volume = {};  // m3
+    reproducible_sum volume = {};  // m3
   };
   std::span<const outside_account> outside() const { return outside_; }
   /// m3; 0 for an account that was never opened.
@@ -61,14 +63,14 @@ class ledger {
     if (a.what == kind::film) return films_[a.row];
     if (a.what == kind::bond) return bonds_[a.row];
     if (a.what == kind::outside) return outside_[a.row].volume.value();
-    return reservoir_.value();
+    return a.what == kind::reservoir ? reservoir_.value() : 0;
   }
 
-  /// New liquid, m3, into the reservoir. Errors: negative or not finite.
-  void introduce(double volume) {
+  /// New liquid of the scene, m3, into the reservoir of one part. Errors: negative or not finite.
+  void introduce(double volume, bool into_this = true) {
     expects(volume >= 0 && std::isfinite(volume), "the liquid volume introduced (m3)", volume, "at least 0 and finite",
             "docs/reference/liquid.md");
-    reservoir_.add(volume);
+    if (into_this) reservoir_.add(volume);
     introduced_ += volume;
   }
 
@@ -92,16 +94,19 @@ class ledger {
 
   double introduced() const { return introduced_; }
 
-  /// What must be here, m3: introduced less what is outside. No round-off of the moves within the scene is in it.
-  double here() const {
-    compensated_sum rest{introduced_};
-    for (const outside_account& a : outside_) rest.add(-a.volume.value());
+  /// What must be in the scene, m3: introduced less what is outside. No round-off of the moves within it is in it.
+  template <Host H = alone>
+  double here(const H& host = {}) const {
+    reproducible_sum rest;
+    for (const outside_account& a : outside_) rest.subtract(a.volume);
+    host.sum(std::span(&rest, 1));
+    rest.add(introduced_);
     return rest.value();
   }
 
   /// What is here, counted: all films, bridges and the reservoir, m3.
   double total() const {
-    compensated_sum all = reservoir_;
+    reproducible_sum all = reservoir_;
     for (const double v : films_) all.add(v);
     for (const double v : bonds_) all.add(v);
     return all.value();
@@ -141,7 +146,7 @@ class ledger {
 
   /// What a checkpoint keeps besides films and bonds.
   struct books {
-    compensated_sum reservoir = {};
+    reproducible_sum reservoir = {};
     double introduced = 0;
     std::vector<outside_account> outside = {};
   };
@@ -151,6 +156,23 @@ class ledger {
     introduced_ = b.introduced;
     outside_ = b.outside;
   }
+  /// Films of copies become those that their keepers have; the copies begin at row `kept`. Answers which did change.
+  template <Host H>
+  std::vector<std::size_t> mirror_films(std::size_t kept, const H& host) {
+    const std::vector<double> before(films_.begin() + static_cast<std::ptrdiff_t>(kept), films_.end());
+    host.update_copies(films_, 1);
+    std::vector<std::size_t> changed;
+    for (std::size_t row = kept; row < films_.size(); ++row) {
+      if (films_[row] != before[row - kept]) changed.push_back(row);
+    }
+    return changed;
+  }
+  /// For a part that takes its grains and their bridges anew: neither films nor bonds.
+  void forget_rows(std::size_t grains) {
+    films_.assign(grains, 0.0);
+    bonds_.clear();
+  }
+
   /// A film or a bond as a checkpoint had it; only for an account that is still empty.
   void restore(account a, double volume) {
     expects(balance(a) == 0, "the volume of an account to be restored (m3)", balance(a), "0",
@@ -166,14 +188,14 @@ class ledger {
       bonds_[a.row] += volume;
     } else if (a.what == kind::outside) {
       outside_[a.row].volume.add(volume);
-    } else {
+    } else if (a.what == kind::reservoir) {
       reservoir_.add(volume);
     }
   }
 
   std::vector<double> films_, bonds_;
   std::vector<outside_account> outside_;
-  compensated_sum reservoir_;
+  reproducible_sum reservoir_;
   double introduced_ = 0;
 };
 

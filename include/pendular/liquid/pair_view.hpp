@@ -37,7 +37,8 @@ struct pair_view {
   strided<const vector> position;               // m
   strided<const double> radius;                 // m
   std::span<const std::int64_t> id;
-  vector up;  // unit vector against gravity, or 0
+  vector up;         // unit vector against gravity, or 0
+  std::size_t kept;  // rows of grains before this one are kept here, the others are copies
   bool wet_walls = false;
   std::vector<wall_row> at_walls = {};        // by wall, then by the grain's id
   std::vector<std::size_t> wall_begins = {};  // where each of these walls begins in at_walls
@@ -45,6 +46,9 @@ struct pair_view {
   std::size_t rows() const { return first.size() + at_walls.size(); }
   bool is_at_wall(std::size_t p) const { return p >= first.size(); }
   const wall_row& wall(std::size_t p) const { return at_walls[p - first.size()]; }
+  bool keeps(std::size_t grain) const { return grain < kept; }
+  /// Whether a row is counted on this part of the scene, where others have it too.
+  bool counts_here(std::size_t p) const { return keeps(grain_i(p)); }
   bool is_padding(std::size_t p) const { return is_at_wall(p) ? wall(p).wall < 0 : p >= pairs; }
 
   /// visit(row) for all rows that are not padding.

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/extremes.hpp>
+#include <pendular/core/host.hpp>
 #include <pendular/liquid/bonds.hpp>
 #include <pendular/liquid/eligibility.hpp>
 #include <pendular/liquid/selection.hpp>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pendular {
@@ -43,26 +52,85 @@ void for_each_row_of(std::size_t grain, const pair_view& view, const PairsOf& pa
   view.for_each_wall_row_of(grain, visit);
 }
 
-/// The three moves of a local protocol for one grain that has a film.
+/// What a local protocol does in a step. Offers are merged and settled where a grain is kept, grants go to its copies, and
+/// bonds pull wherever they are.
 template <class Liquid, class PairsOf>
-void offer_film(const bonds<Liquid>& b, std::size_t grain, const pair_view& view, const gap_history& gap,
-                const PairsOf& pairs_of, std::vector<pull>& pulls) {
-  const auto protocol = b.policies().redistribution();
-  const auto receives = [&](std::size_t p) { return b.is_bonded(p) || b.forms(p, gap.now[p], gap.before[p]); };
-  const auto side = [&](std::size_t p) { return view.side(p, grain, !b.is_bonded(p)); };
-  std::optional<decltype(protocol.offer(bond_side{}))> merged;
-  for_each_row_of(grain, view, pairs_of, [&](std::size_t p) {
-    if (!receives(p)) return;
-    const auto offer = protocol.offer(side(p));
-    merged = merged ? protocol.merge(*merged, offer) : offer;
-  });
-  if (!merged) return;
-  const auto grant = protocol.settle(*merged, b.free_film(grain, view));
-  for_each_row_of(grain, view, pairs_of, [&](std::size_t p) {
-    if (!receives(p)) return;
-    const double volume = protocol.pull(side(p), grant);
-    if (volume > 0) pulls.push_back({p, grain, volume});
-  });
+class film_round {
+  using protocol_type = typename Liquid::protocol_type;
+
+ public:
+  using grant = decltype(std::declval<protocol_type>().settle(std::declval<protocol_type>().offer(bond_side{}), 0.0));
+
+  film_round(const bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of)
+      : bonds_(b), view_(view), gap_(gap), pairs_of_(pairs_of), protocol_(b.policies().redistribution()) {}
+
+  /// Of a grain that is kept here and has a film; none if none of its bonds can receive.
+  std::optional<grant> settle(std::size_t grain) const {
+    std::optional<decltype(protocol_.offer(bond_side{}))> merged;
+    for_each_receiver(grain, [&](std::size_t p) {
+      const auto offer = protocol_.offer(side(p, grain));
+      merged = merged ? protocol_.merge(*merged, offer) : offer;
+    });
+    if (!merged) return {};
+    return protocol_.settle(*merged, bonds_.free_film(grain, view_));
+  }
+  /// Answers all that the bonds of the grain pull here, m3.
+  double pull_from(std::size_t grain, const grant& granted, std::vector<pull>& pulls) const {
+    double sum = 0;
+    for_each_receiver(grain, [&](std::size_t p) {
+      const double volume = protocol_.pull(side(p, grain), granted);
+      if (!(volume > 0)) return;
+      pulls.push_back({p, grain, volume});
+      sum += volume;
+    });
+    return sum;
+  }
+
+ private:
+  template <class Visit>
+  void for_each_receiver(std::size_t grain, const Visit& visit) const {
+    for_each_row_of(grain, view_, pairs_of_, [&](std::size_t p) {
+      if (bonds_.is_bonded(p) || bonds_.forms(p, gap_.now[p], gap_.before[p])) visit(p);
+    });
+  }
+  bond_side side(std::size_t p, std::size_t grain) const { return view_.side(p, grain, !bonds_.is_bonded(p)); }
+
+  const bonds<Liquid>& bonds_;
+  const pair_view& view_;
+  const gap_history& gap_;
+  const PairsOf& pairs_of_;
+  protocol_type protocol_;
+};
+
+/// The grant of a grain.
+template <class Grant>
+struct granted {
+  std::size_t grain;
+  Grant grant;
+};
+
+/// Adds those of the grains of which there are copies here.
+template <class Grant, Host H>
+void share_grants(std::vector<granted<Grant>>& all, const pair_view& view, const H& host) {
+  if constexpr (is_distributed<H>) {
+    static_assert(
+        std::is_trivially_copyable_v<Grant>,
+        "what a protocol's `settle` answers is sent to other parts of the scene and must be trivially copyable "
+        "(docs/reference/host.md)");
+    constexpr std::size_t width = 1 + (sizeof(Grant) + sizeof(double) - 1) / sizeof(double);
+    std::vector<double> numbers(width * view.radius.size(), 0.0);
+    for (const auto& g : all) {
+      numbers[width * g.grain] = 1;
+      std::memcpy(&numbers[width * g.grain + 1], &g.grant, sizeof(Grant));
+    }
+    host.update_copies(numbers, width);
+    for (std::size_t grain = view.kept; grain < view.radius.size(); ++grain) {
+      if (numbers[width * grain] == 0) continue;
+      std::array<std::byte, sizeof(Grant)> bytes;
+      std::memcpy(bytes.data(), &numbers[width * grain + 1], sizeof(Grant));
+      all.push_back({grain, std::bit_cast<Grant>(bytes)});
+    }
+  }
 }
 
 /// Whether all that is pulled into a pair makes a bridge there: enough liquid, and not beyond its own rupture distance.
@@ -87,7 +155,10 @@ void carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_view& view
     if (makes_bond(b, p, volume, gap[p], view)) {
       if (!b.is_bonded(p)) b.note(bridge_change::formed, p, gap[p], volume, view);
       for (std::size_t m = k; m < end; ++m) {
-        b.move(ledger::film_of(pulls[m].grain), ledger::bond_of(p), pulls[m].volume, p, gap[p], view);
+        // By the reservoir: the bond gets the same volume on every part, and what round-off takes the film below 0 for, which
+        // only its keeper knows, is the reservoir's.
+        b.move(ledger::reservoir(), ledger::bond_of(p), pulls[m].volume, p, gap[p], view);
+        b.drain_film(pulls[m].grain, ledger::reservoir(), pulls[m].volume, view);
       }
       b.made(p, view);
     }
@@ -117,16 +188,51 @@ void break_in_order(bonds<Liquid>& b, bridge_change how, std::vector<std::size_t
 }
 
 /// All bridges beyond their rupture distance.
-template <class Liquid, class PairsOf>
-void break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap, const PairsOf& pairs_of) {
+template <class Liquid, class PairsOf, Host H>
+void break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double> gap, const PairsOf& pairs_of,
+                 const H& host) {
   std::vector<std::size_t> broken;
   view.for_each_row([&](std::size_t p) {
     if (b.breaks(p, gap[p])) broken.push_back(p);
   });
   break_in_order(b, bridge_change::broke, broken, view, [&](std::size_t p) { return gap[p]; });
-  std::vector<std::size_t> grains;
+  std::vector<std::size_t> grains = b.mirror_films(view, host);
   for (const std::size_t p : broken) view.for_each_grain_of(p, [&](std::size_t grain) { grains.push_back(grain); });
   refresh_dry_pairs(b, std::move(grains), view, pairs_of);
+}
+
+inline void expect_drawn(bool overdrawn) {
+  if (!overdrawn) return;
+  throw run_error(
+      "a redistribution protocol pulled more from a grain than its film: what it settles must be enough for all "
+      "pulls (see docs/how-to/own_protocol.md)");
+}
+
+/// Films into bonds, as a local protocol has it.
+template <class Liquid, class PairsOf, Host H>
+void share_films(bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of,
+                 const H& host) {
+  const film_round<Liquid, PairsOf> round(b, view, gap, pairs_of);
+  std::vector<granted<typename film_round<Liquid, PairsOf>::grant>> grants;
+  for (std::size_t grain = 0; grain < view.kept; ++grain) {
+    if (!(b.free_film(grain, view) > 0)) continue;
+    if (const auto grant = round.settle(grain)) grants.push_back({grain, *grant});
+  }
+  share_grants(grants, view, host);
+  std::vector<pull> pulls;
+  bool overdrawn = false;
+  for (const auto& g : grants) {
+    constexpr double round_off = 1 + 1e-12, dust = 1e-290;  // m3; products of what is left of films may be subnormal
+    const double film = b.book().films()[g.grain];
+    const double pulled = round.pull_from(g.grain, g.grant, pulls);
+    overdrawn |= view.keeps(g.grain) && pulled > film * round_off + dust;
+  }
+  expect_drawn(host.any(overdrawn));
+  std::vector<std::size_t> drained;
+  for (const auto& p : pulls) drained.push_back(p.grain);
+  carry_out(b, pulls, view, gap.now);
+  for (const std::size_t grain : b.mirror_films(view, host)) drained.push_back(grain);
+  refresh_dry_pairs(b, std::move(drained), view, pairs_of);
 }
 }  // namespace detail
 
@@ -144,43 +250,41 @@ void break_torn_bonds(bonds<Liquid>& b, const pair_view& view, double range) {
 
 /// Ruptures and formations of one step: bridges beyond their rupture distance give their liquid to the films of their
 /// grains, then a local protocol moves films into bonds. `pairs_of(grain)` lists the pairs of a grain by partner id,
-/// so the result depends neither on the order of the pairs nor on the number of threads.
-template <class Liquid, class PairsOf>
-void settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of) {
+/// so the result depends neither on the order of the pairs nor on the number of threads or parts.
+template <class Liquid, class PairsOf, Host H = alone>
+void settle_bonds(bonds<Liquid>& b, const pair_view& view, const gap_history& gap, const PairsOf& pairs_of,
+                  const H& host = {}) {
   b.ask_protocol(false);
-  detail::break_bonds(b, view, gap.now, pairs_of);
-  if constexpr (Liquid::redistributes_locally) {
-    std::vector<detail::pull> pulls;
-    for (std::size_t grain = 0; grain < view.radius.size(); ++grain) {
-      if (b.free_film(grain, view) > 0) detail::offer_film(b, grain, view, gap, pairs_of, pulls);
-    }
-    std::vector<std::size_t> drained;
-    for (const auto& pull : pulls) drained.push_back(pull.grain);
-    detail::carry_out(b, pulls, view, gap.now);
-    detail::refresh_dry_pairs(b, std::move(drained), view, pairs_of);
-  }
+  detail::break_bonds(b, view, gap.now, pairs_of, host);
+  if constexpr (Liquid::redistributes_locally) detail::share_films(b, view, gap, pairs_of, host);
 }
 
 namespace detail {
+/// The sum over all grains of the scene of something that a radius has.
+template <class Size, Host H>
+double sum_over_grains(const pair_view& view, const Size& size, const H& host) {
+  reproducible_sum sizes;
+  for (std::size_t g = 0; g < view.kept; ++g) sizes.add(size(view.radius[g]));
+  return pendular::total(host, sizes);
+}
+
 /// Films in proportion to the size that a grain of a radius has.
-template <class Liquid, class Size>
-void spread_over_grains(bonds<Liquid>& b, const pair_view& view, double volume, const Size& size) {
-  double sizes = 0;
-  for (const double r : view.radius) sizes += size(r);
+template <class Liquid, class Size, Host H>
+void spread_over_grains(bonds<Liquid>& b, const pair_view& view, double volume, const Size& size, const H& host) {
+  const double sizes = sum_over_grains(view, size, host);
   for (std::size_t g = 0; g < view.radius.size(); ++g) {
-    b.move_film(ledger::reservoir(), ledger::film_of(g), volume * (size(view.radius[g]) / sizes));
+    b.fill_film(ledger::reservoir(), g, volume * (size(view.radius[g]) / sizes), view);
   }
 }
 
 /// The films that the roughness of the grains holds, in proportion to their surface if there is not enough for all.
 /// Answers what is left for bridges, m3.
-template <class Liquid>
-double fill_roughness(bonds<Liquid>& b, const pair_view& view, double volume) {
+template <class Liquid, Host H>
+double fill_roughness(bonds<Liquid>& b, const pair_view& view, double volume, const H& host) {
   const auto held = [&](double r) { return b.selection().held_film(r); };
-  double wanted = 0;
-  for (const double r : view.radius) wanted += held(r);
+  const double wanted = sum_over_grains(view, held, host);
   if (wanted == 0) return volume;
-  spread_over_grains(b, view, std::min(volume, wanted), held);
+  spread_over_grains(b, view, std::min(volume, wanted), held, host);
   return std::max(0.0, volume - wanted);
 }
 }  // namespace detail
@@ -191,7 +295,8 @@ inline std::vector<candidate> candidates(const pair_view& view, const bond_selec
   view.for_each_row([&](std::size_t p) {
     const auto [i, j] = view.ids(p);
     const double gap = view.gap(p);
-    if (selection.reaches(gap) && selection.keeps(i, j)) found.push_back({p, view.bridge_of(p, gap, 0), {i, j}});
+    if (!selection.reaches(gap) || !selection.keeps(i, j)) return;
+    found.push_back({p, view.bridge_of(p, gap, 0), {i, j}, view.counts_here(p)});
   });
   return found;
 }
@@ -199,32 +304,33 @@ inline std::vector<candidate> candidates(const pair_view& view, const bond_selec
 /// How far apart two grains can be and still get a bridge in a homogeneous distribution, m: what the list must see
 /// first. alpha is largest if only touching pairs receive, and the list has all of these; the largest grains may have no
 /// listed pair yet.
-template <class Liquid>
+template <class Liquid, Host H = alone>
 double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const std::vector<candidate>& all,
-                         double liquid_volume) {
-  const double alpha = possible_alpha(all, liquid_volume).high;
+                         double liquid_volume, const H& host = {}) {
+  const double alpha = possible_alpha(all, liquid_volume, host).high;
   double farthest = 0;
-  const auto [small, large] = std::minmax_element(view.radius.begin(), view.radius.end());
-  for (const double r : {*small, *large}) farthest = std::max(farthest, b.farthest_of(view, r, alpha * r * r * r));
+  const auto [small, large] = extremes_of(view.radius, host);
+  for (const double r : {small, large}) farthest = std::max(farthest, b.farthest_of(view, r, alpha * r * r * r));
   return farthest;
 }
 
 /// Protocol 1 and the initial state: everything that is here back to the reservoir, then what the grains hold as films,
 /// then V_b = alpha R^3 over all eligible pairs. Liquid that makes no bridge of the minimum volume stays on the grains in
 /// proportion to R^3.
-template <class Liquid>
-void distribute_homogeneously(bonds<Liquid>& b, const pair_view& view) {
+template <class Liquid, Host H = alone>
+void distribute_homogeneously(bonds<Liquid>& b, const pair_view& view, const H& host = {}) {
   const std::vector<candidate> all = candidates(view, b.selection());
   std::vector<double> before(view.rows(), 0.0);
   view.for_each_row([&](std::size_t p) {
     before[p] = b.book().bonds()[p];
     if (before[p] > 0) b.drain(p, ledger::reservoir(), view.gap(p), view);
   });
-  for (std::size_t g = 0; g < view.radius.size(); ++g) b.empty_film(g, ledger::reservoir());
+  for (std::size_t g = 0; g < view.radius.size(); ++g) b.empty_film(g, ledger::reservoir(), view);
 
   // All that is here is in the reservoir now; this figure has no round-off of the moves.
-  const double volume = detail::fill_roughness(b, view, std::max(0.0, b.book().here()));
-  const homogeneous_share share = share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume);
+  const double volume = detail::fill_roughness(b, view, std::max(0.0, b.book().here(host)), host);
+  const homogeneous_share share =
+      share_homogeneously(b.policies().rupture(), b.policies().substance(), all, volume, host);
   if (share.alpha > 0 && share.alpha >= b.policies().formation().minimum_volume) {
     for (const std::size_t k : share.eligible) {
       const std::size_t p = all[k].pair;
@@ -232,7 +338,8 @@ void distribute_homogeneously(bonds<Liquid>& b, const pair_view& view) {
       b.made(p, view);
     }
   } else {
-    detail::spread_over_grains(b, view, volume, [](double r) { return r * r * r; });
+    detail::spread_over_grains(
+        b, view, volume, [](double r) { return r * r * r; }, host);
   }
   view.for_each_row([&](std::size_t p) {
     const double now = b.book().bonds()[p];

@@ -106,20 +106,20 @@ PENDULAR_FLATTEN bool correct_range(const Motion move, const pair_list::view pai
 }
 }  // namespace detail
 
-/// First half of a step for all grains. True if one of them is too far from where it was listed.
+/// First half of a step for all grains that are kept here. True if one of them is too far from where it was listed.
 template <class Grains, class Integration>
 bool predict(Grains& g, const Integration& integrator, const listing& listed) {
-  return detail::any_of_grains(g.size(), [&](std::size_t begin, std::size_t end) {
+  return detail::any_of_grains(g.kept(), [&](std::size_t begin, std::size_t end) {
     return detail::predict_range(detail::grain_motion(g, integrator, listed), begin, end);
   });
 }
 
-/// Second half of a step for all grains, and, if asked for, the first half of the next, while they are at hand. True if
+/// Second half of a step for all grains that are kept here, and, if asked for, the first half of the next, while they are at hand. True if
 /// that took one of them too far from where it was listed.
 template <class Grains, class Contacts, class Integration>
 bool correct(Grains& g, const pair_list& list, const Contacts& contacts, const wall_loads<Grains::rotate>& loads,
              const Integration& integrator, bool moving, followed_by what, const listing& listed) {
-  return detail::any_of_grains(g.size(), [&](std::size_t begin, std::size_t end) {
+  return detail::any_of_grains(g.kept(), [&](std::size_t begin, std::size_t end) {
     return detail::correct_range(detail::grain_motion(g, integrator, listed), list.by_grain(), contacts.actions(),
                                  loads.by_grain(), moving, what, begin, end);
   });

@@ -64,17 +64,19 @@ class driven_grains {
   /// Finds their rows again, after grains have changed theirs.
   template <class Grains>
   void find(Grains& g) {
-    rows_.clear();
+    here_.clear();
     g.release_all();
-    for (const driven_grain& d : all_) {
-      rows_.push_back(g.row_of(d.id));
-      g.hold(rows_.back());
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (!g.has_id(all_[k].id)) continue;  // on another part of the scene
+      here_.push_back({k, g.row_of(all_[k].id)});
+      g.hold(here_.back().row);
     }
   }
 
   /// Gives one of them its velocity at once.
   template <class Grains>
   void set_off(Grains& g, const driven_grain& d) const {
+    if (!g.has_id(d.id)) return;
     const std::size_t row = g.row_of(d.id);
     g.template rows<grain_row::motion>()[row].velocity = d.velocity;
     if constexpr (Grains::rotate) g.template rows<grain_row::spin>()[row].angular_velocity = d.angular_velocity;
@@ -85,7 +87,7 @@ class driven_grains {
   template <class Grains>
   void remember(const Grains& g) {
     before_.clear();
-    for (const std::size_t row : rows_) {
+    for (const auto& [which, row] : here_) {
       before_.push_back(
           {g.template rows<grain_row::place>()[row].position, g.template rows<grain_row::force>()[row].force});
     }
@@ -97,16 +99,17 @@ class driven_grains {
   bool impose(Grains& g, const vector& gravity, double time_step, bool corrected, bool predicted,
               const listing& listed) {
     bool far = false;
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const std::size_t row = rows_[k];
+    for (std::size_t k = 0; k < here_.size(); ++k) {
+      const std::size_t row = here_[k].row;
+      const driven_grain& d = all_[here_[k].which];
       auto& place = g.template rows<grain_row::place>()[row];
       place.position = before_[k].position;
-      if (predicted) place.position += time_step * all_[k].velocity;
-      g.template rows<grain_row::motion>()[row].velocity = all_[k].velocity;
-      if constexpr (Grains::rotate) g.template rows<grain_row::spin>()[row].angular_velocity = all_[k].angular_velocity;
+      if (predicted) place.position += time_step * d.velocity;
+      g.template rows<grain_row::motion>()[row].velocity = d.velocity;
+      if constexpr (Grains::rotate) g.template rows<grain_row::spin>()[row].angular_velocity = d.angular_velocity;
       // Contacts are weighted by inverse masses, and this is infinitely heavy.
       if constexpr (Grains::count_contacts) g.template rows<grain_row::spin>()[row].contacts = 0;
-      if (corrected) add_work(g, k, gravity, time_step);
+      if (corrected && row < g.kept()) add_work(g, k, gravity, time_step);
       far |= !(norm(place.position - listed.at[row].position) < listed.allowed);
     }
     return far;
@@ -120,17 +123,21 @@ class driven_grains {
   /// By what its motion takes from the forces on it; the trapezoidal rule, as for walls.
   template <class Grains>
   void add_work(const Grains& g, std::size_t k, const vector& gravity, double time_step) {
-    const std::size_t row = rows_[k];
+    const std::size_t row = here_[k].row;
+    const driven_grain& d = all_[here_[k].which];
     const vector weight = (1 / g.template rows<grain_row::motion>()[row].inverse_mass) * gravity;
     const vector force = 0.5 * (before_[k].force + g.template rows<grain_row::force>()[row].force) + weight;
-    work_ -= time_step * dot(force, all_[k].velocity);
+    work_ -= time_step * dot(force, d.velocity);
     if constexpr (Grains::rotate) {
-      work_ -= time_step * dot(g.template rows<grain_row::torque>()[row].torque, all_[k].angular_velocity);
+      work_ -= time_step * dot(g.template rows<grain_row::torque>()[row].torque, d.angular_velocity);
     }
   }
 
   std::vector<driven_grain> all_;  // by id
-  std::vector<std::size_t> rows_;  // of these
+  struct found_row {
+    std::size_t which, row;
+  };
+  std::vector<found_row> here_;  // of those that are on this part of the scene
   std::vector<state> before_;
   double work_ = 0;
 };

@@ -16,24 +16,29 @@
 namespace pendular {
 
 /// Cells for grains of any grading: every size class has a grid of its own, with cells as large as its grains ask for. Rows
-/// stand class by class, the largest grains first, by cell within a class and by id within a cell. Memory is proportional to
-/// the number of grains.
+/// stand class by class, the largest grains first, by cell within a class and by id within a cell. Copies of grains of other
+/// parts of a scene are a class of their own behind all others, and no pairs of two copies come up. Memory is proportional
+/// to the number of grains.
 class graded_grid {
  public:
-  /// For pairs of grains whose gap is `range` at most, m.
-  graded_grid(strided<const vector> positions, strided<const double> radii, double range)
-      : classes_(radii, range), first_row_{0} {
+  /// For pairs of grains whose gap is `range` at most, m; rows from `kept` on are copies.
+  graded_grid(strided<const vector> positions, strided<const double> radii, double range, std::size_t kept)
+      : classes_(radii, range, kept), first_row_{0} {
     for (const auto& c : classes_.all()) {
       levels_.push_back(make_level(positions, c, first_row_.back()));
       first_row_.push_back(first_row_.back() + c.rows.size());
     }
     for (std::size_t a = 0; a < levels_.size(); ++a) {
       for (std::size_t b = a + 1; b < levels_.size(); ++b) {
+        if (classes_.all()[a].are_copies) continue;
         const bool large_looks = cost(a, b) < cost(b, a);
         levels_[large_looks ? a : b].looks_into.push_back(large_looks ? b : a);
       }
     }
   }
+
+  graded_grid(strided<const vector> positions, strided<const double> radii, double range)
+      : graded_grid(positions, radii, range, radii.size()) {}
 
   /// Row k becomes what was row order[k].
   std::vector<std::size_t> order(std::span<const std::int64_t> ids) const {
@@ -56,9 +61,11 @@ class graded_grid {
   void for_candidates(std::size_t row, const vector& position, double radius, const Visit& visit) const {
     const auto above = std::upper_bound(first_row_.begin(), first_row_.end(), row);
     const level& own = levels_[static_cast<std::size_t>(above - first_row_.begin()) - 1];
-    own.cells.for_neighbours(position, [&](std::size_t first, std::size_t last) {
-      visit(std::max(own.starts[first], row + 1), own.starts[last + 1]);
-    });
+    if (row < classes_.kept()) {
+      own.cells.for_neighbours(position, [&](std::size_t first, std::size_t last) {
+        visit(std::max(own.starts[first], row + 1), own.starts[last + 1]);
+      });
+    }
     for (const std::size_t k : own.looks_into) {
       const level& other = levels_[k];
       other.cells.for_ball(

@@ -188,6 +188,7 @@ class grains {
 
   /// New rows are zero and must be written as a whole, with the ids that they have.
   void restore(std::span<const std::int64_t> ids, std::int64_t next_id) {
+    table_ = {};
     table_.resize(ids.size());
     std::copy(ids.begin(), ids.end(), get<column::id>().begin());
     next_id_ = next_id;
@@ -197,6 +198,11 @@ class grains {
 
   /// Row k becomes what was row order[k], without repetitions; rows that are not in it are no more.
   void permute(std::span<const std::size_t> order) { table_.permute(order); }
+
+  /// Rows before this one are kept here, those from it on are copies of grains that another part of the scene keeps.
+  std::size_t kept() const { return size() - copies_; }
+  std::size_t copies() const { return copies_; }
+  void mark_copies(std::size_t copies) { copies_ = copies; }
 
   /// Grains that nothing moves but what drives them, by row; empty if there are none.
   std::span<const char> held() const { return held_; }
@@ -232,6 +238,11 @@ class grains {
       found[id] = k;
     }
     return found;
+  }
+
+  bool has_id(std::int64_t id) const {
+    const auto ids = get<column::id>();
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
   }
 
   /// Row of one grain. Errors: input_error if there is none of this id.
@@ -291,6 +302,7 @@ class grains {
   table table_;
   std::int64_t next_id_ = 0;
   std::vector<char> held_;
+  std::size_t copies_ = 0;
 };
 
 /// Smallest and largest, m.

@@ -32,6 +32,9 @@ class neighbourhood {
   void wall_came(double way) { wall_travel_ += way; }
   bool is_stale() const { return stale_ || wall_travel_ > 0.5 * skin_; }
 
+  /// Nothing is left of the list, because all grains are new.
+  void forget() { list_ = {}; }
+
   /// How the rows of a new list follow from those of the old.
   struct origins {
     std::vector<std::int32_t> of_pairs;  // row in the old list, or -1
@@ -48,7 +51,8 @@ class neighbourhood {
       if (gone.empty() || gone[row] == 0) kept.push_back(row);
     }
     if (kept.size() < g.size()) g.permute(kept);
-    const graded_grid grid(g.template get<column::position>(), g.template get<column::radius>(), range);
+    const graded_grid grid(g.template get<column::position>(), g.template get<column::radius>(), range,
+                           g.kept());
     const auto order = grid.order(g.template get<column::id>());
     g.permute(order);
     origins from;

@@ -31,8 +31,19 @@ class pair_list {
   std::span<const std::int32_t> first() const { return first_; }
   std::span<const std::int32_t> second() const { return second_; }
 
+  /// Rows of grains that it was made for.
+  std::size_t grains() const { return ids_.size(); }
+
   /// Pairs of a grain, sorted by the partner's id: sums over them do not depend on the storage order.
   std::span<const incidence> pairs_of(std::size_t row) const { return by_grain().of(row); }
+
+  /// The pair of a grain with a partner; one beyond all if they are not listed.
+  std::size_t pair_with(std::size_t row, std::int64_t id) const {
+    const auto pairs = pairs_of(row);
+    const auto before = [&](const incidence& i, std::int64_t wanted) { return partner(i) < wanted; };
+    const auto found = std::lower_bound(pairs.begin(), pairs.end(), id, before);
+    return found == pairs.end() || partner(*found) != id ? size() : static_cast<std::size_t>(found->pair);
+  }
 
   /// The same for loops over many grains, to be kept in a local variable.
   class view {

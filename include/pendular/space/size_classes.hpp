@@ -26,14 +26,20 @@ class size_classes {
     double halo, least_halo;  // m, largest and smallest
     std::size_t count;
     std::vector<std::size_t> rows;  // in their order
+    bool are_copies = false;
   };
 
-  size_classes(strided<const double> radii, double range) : half_range_(0.5 * range) {
-    find_classes(radii);
+  /// Rows from `kept` on are copies of grains of other parts of a scene, and a class of their own behind all others.
+  size_classes(strided<const double> radii, double range, std::size_t kept) : half_range_(0.5 * range), kept_(kept) {
+    const strided<const double> own = radii.first(kept);
+    find_classes(own);
     merge_classes();
     for (size_class& c : classes_) c.rows.reserve(c.count);
-    for (std::size_t row = 0; row < radii.size(); ++row) classes_[class_of(halo(radii[row]))].rows.push_back(row);
+    for (std::size_t row = 0; row < kept; ++row) classes_[class_of(halo(radii[row]))].rows.push_back(row);
+    if (kept < radii.size()) add_copies(radii);
   }
+  size_classes(strided<const double> radii, double range) : size_classes(radii, range, radii.size()) {}
+  std::size_t kept() const { return kept_; }
 
   double halo(double radius) const { return radius + half_range_; }
   const std::vector<size_class>& all() const { return classes_; }
@@ -60,6 +66,16 @@ class size_classes {
       classes_.push_back(c);
       largest = c.least_halo > 0 ? largest_below(largest / spread) : 0;
     }
+  }
+
+  void add_copies(strided<const double> radii) {
+    size_class copies{0, std::numeric_limits<double>::infinity(), radii.size() - kept_, {}, true};
+    for (std::size_t row = kept_; row < radii.size(); ++row) {
+      copies.halo = std::max(copies.halo, halo(radii[row]));
+      copies.least_halo = std::min(copies.least_halo, halo(radii[row]));
+      copies.rows.push_back(row);
+    }
+    classes_.push_back(std::move(copies));
   }
 
   /// Decided by numbers and extremes of the classes alone, which do not depend on the order of the rows.
@@ -103,6 +119,7 @@ class size_classes {
   }
 
   double half_range_;
+  std::size_t kept_;
   std::vector<size_class> classes_;
 };
 

@@ -18,23 +18,23 @@
 
 namespace pendular::io::detail {
 
-/// Accounts outside of the scene: names, one per line, and what each holds.
+/// Accounts outside of the scene: names, one per line, and what each holds, as a sum without a rest.
 inline void put_outside(checkpoint_writer& out, const ledger::books& books) {
   std::string names;
-  std::vector<double> volumes;
+  std::size_t k = 0;
   for (const auto& account : books.outside) {
     names += account.name + '\n';
-    volumes.insert(volumes.end(), {account.volume.sum, account.volume.lost});
+    out.put("liquid.outside." + std::to_string(k++), account.volume.parts());
   }
   out.put("liquid.outside_names", std::string_view{names});
-  out.put("liquid.outside_volumes", volumes);
 }
 inline std::vector<ledger::outside_account> get_outside(const checkpoint_reader& in) {
   std::istringstream names(in.get<std::string>("liquid.outside_names"));
   std::vector<ledger::outside_account> accounts;
   for (std::string name; std::getline(names, name);) accounts.push_back({name});
-  const auto volumes = in.get<std::vector<double>>("liquid.outside_volumes", 2 * accounts.size());
-  for (std::size_t k = 0; k < accounts.size(); ++k) accounts[k].volume = {volumes[2 * k], volumes[2 * k + 1]};
+  for (std::size_t k = 0; k < accounts.size(); ++k) {
+    accounts[k].volume = get_sum(in, "liquid.outside." + std::to_string(k));
+  }
   return accounts;
 }
 
@@ -55,8 +55,9 @@ void put_liquid(checkpoint_writer& out, const System& s) {
   out.put("liquid.keys", keys);
   out.put("liquid.volumes", volumes);
   out.put("liquid.films", films);
-  out.put("liquid.books",
-          std::vector<double>{books.reservoir.sum, books.reservoir.lost, books.introduced, s.bridges().work()});
+  out.put("liquid.reservoir", books.reservoir.parts());
+  out.put("liquid.introduced", books.introduced);
+  out.put("liquid.work", s.bridges().work_sum().parts());
   put_outside(out, books);
   const auto& outside = s.bridges().outside();
   out.put("liquid.outside", std::vector<std::int64_t>{outside.capillary_law, outside.rupture_law});
@@ -117,12 +118,10 @@ void get_bridges(const checkpoint_reader& in, System& s, const row_index& rows) 
     expect_volume("a bridge", volumes[n]);
     bridges.restore(bond_row_of(s, view, rows, keys.data() + 2 * n), volumes[n], view);
   }
-  const auto books = in.get<std::vector<double>>("liquid.books", 4);
-  for (const double v : books) {
-    if (!std::isfinite(v)) refuse_content("its books of liquid have a number that is not finite");
-  }
-  bridges.restore_books({{books[0], books[1]}, books[2], get_outside(in)});
-  bridges.restore_work(books[3]);
+  const auto introduced = in.get<double>("liquid.introduced");
+  if (!std::isfinite(introduced)) refuse_content("it has no finite volume of liquid");
+  bridges.restore_books({get_sum(in, "liquid.reservoir"), introduced, get_outside(in)});
+  bridges.restore_work(get_sum(in, "liquid.work"));
   const double here = bridges.book().here(), counted = bridges.book().total();
   if (!(std::abs(counted - here) <= 1e-6 * std::max(std::abs(here), std::abs(bridges.book().introduced())))) {
     refuse_content("films and bridges hold " + pendular::detail::number(counted) + " m3, and its books say " +

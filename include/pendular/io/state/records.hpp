@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/reproducible_sum.hpp>
 #include <pendular/io/checkpoint.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -30,6 +32,19 @@ std::vector<T> get_keys(const checkpoint_reader& in, const std::string& name, st
     refuse_content("the record " + name + " has " + std::to_string(keys.size()) + " numbers, which are no whole keys");
   }
   return keys;
+}
+
+/// A sum that is kept as the numbers it is made of. Errors: one of them is not finite.
+inline reproducible_sum sum_of(const std::vector<double>& parts) {
+  reproducible_sum sum;
+  for (const double v : parts) {
+    if (!std::isfinite(v)) refuse_content("one of its sums is not finite");
+    sum.add(v);
+  }
+  return sum;
+}
+inline reproducible_sum get_sum(const checkpoint_reader& in, const std::string& name) {
+  return sum_of(in.get<std::vector<double>>(name));
 }
 
 }  // namespace pendular::io::detail

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/contact/action_row.hpp>
+#include <pendular/contact/row_state.hpp>
 #include <pendular/io/state/grains.hpp>
 #include <pendular/io/state/records.hpp>
 #include <pendular/liquid/pair_view.hpp>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,33 +14,18 @@
 
 namespace pendular::io::detail {
 
-/// Contact memories that are not all zero: key (one id, or two), then the numbers.
-template <class Table, class KeyOf>
-void put_memories(checkpoint_writer& out, const std::string& name, const Table& table, std::size_t rows,
-                  const KeyOf& key_of) {
-  std::vector<std::int64_t> keys;
-  std::vector<double> values;
-  for (std::size_t p = 0; p < rows; ++p) {
-    bool any = false;
-    for (std::size_t k = 0; k < Table::width; ++k) any |= table.column(k)[p] != 0;
-    if (!any) continue;
-    key_of(p, keys);
-    for (std::size_t k = 0; k < Table::width; ++k) values.push_back(table.column(k)[p]);
-  }
-  out.put(name + ".keys", keys);
-  out.put(name + ".values", values);
-}
-
-/// What acts on every row that does, as numbers: key, then the row.
+/// Every row that acts, remembers or has done something: key (one id, or two), then its numbers.
 template <class Contacts, class KeyOf>
-void put_actions(checkpoint_writer& out, const std::string& name, const Contacts& contacts, std::size_t rows,
-                 const KeyOf& key_of) {
-  using action = action_row<Contacts::rotates>;
+void put_rows(checkpoint_writer& out, const std::string& name, const Contacts& contacts, std::size_t rows,
+              const KeyOf& key_of) {
   std::vector<std::int64_t> keys;
-  std::vector<double> values;
+  std::vector<double> values, numbers;
   for (std::size_t p = 0; p < rows; ++p) {
-    const auto numbers = std::bit_cast<std::array<double, sizeof(action) / sizeof(double)>>(contacts.actions()[p]);
-    if (std::all_of(numbers.begin(), numbers.begin() + 4, [](double v) { return v == 0; })) continue;
+    auto state = contacts.take(p);
+    state.gap = 0;  // is that of the positions
+    numbers.clear();
+    for_each_number(state, [&](double& v) { numbers.push_back(v); });
+    if (std::all_of(numbers.begin(), numbers.end(), [](double v) { return v == 0; })) continue;
     key_of(p, keys);
     values.insert(values.end(), numbers.begin(), numbers.end());
   }
@@ -50,28 +33,36 @@ void put_actions(checkpoint_writer& out, const std::string& name, const Contacts
   out.put(name + ".values", values);
 }
 template <class Contacts, class RowOf>
-void get_actions(const checkpoint_reader& in, const std::string& name, Contacts& contacts, std::size_t ids_per_key,
-                 const RowOf& row_of) {
-  using action = action_row<Contacts::rotates>;
-  constexpr std::size_t width = sizeof(action) / sizeof(double);
+void get_rows(const checkpoint_reader& in, const std::string& name, Contacts& contacts, std::size_t ids_per_key,
+              const RowOf& row_of) {
+  using state_type = typename Contacts::state_type;
   const auto keys = get_keys<std::int64_t>(in, name + ".keys", ids_per_key);
-  const auto values = in.get<std::vector<double>>(name + ".values", keys.size() / ids_per_key * width);
-  for (std::size_t n = 0; n * ids_per_key < keys.size(); ++n) {
-    std::array<double, width> numbers;
-    for (std::size_t k = 0; k < width; ++k) numbers[k] = values[n * width + k];
-    contacts.restore_action(row_of(keys.data() + n * ids_per_key), std::bit_cast<action>(numbers));
+  const auto values =
+      in.get<std::vector<double>>(name + ".values", keys.size() / ids_per_key * number_count<state_type>());
+  auto next = values.begin();
+  for (std::size_t n = 0; n < keys.size(); n += ids_per_key) {
+    const std::size_t row = row_of(keys.data() + n);
+    state_type state{};
+    for_each_number(state, [&](double& v) { v = *next++; });
+    state.gap = contacts.take(row).gap;
+    contacts.put(row, state);
   }
-  contacts.know_actions();
+  contacts.renew_only();
 }
 
-template <class Table, class RowOf>
-void get_memories(const checkpoint_reader& in, const std::string& name, Table& table, std::size_t ids_per_key,
-                  const RowOf& row_of) {
-  const auto keys = get_keys<std::int64_t>(in, name + ".keys", ids_per_key);
-  const auto values = in.get<std::vector<double>>(name + ".values", keys.size() / ids_per_key * Table::width);
-  for (std::size_t n = 0; n * ids_per_key < keys.size(); ++n) {
-    const std::size_t row = row_of(keys.data() + n * ids_per_key);
-    for (std::size_t k = 0; k < Table::width; ++k) table.column(k)[row] = values[n * Table::width + k];
+/// What contacts have done that are listed no more, J.
+template <class Contacts>
+void put_work(checkpoint_writer& out, const std::string& name, const Contacts& contacts) {
+  if constexpr (requires { contacts.work().keep(); }) {
+    const auto settled = contacts.work().keep();
+    out.put(name + ".damping_work", settled.damping.parts());
+    out.put(name + ".friction_work", settled.friction.parts());
+  }
+}
+template <class Contacts>
+void get_work(const checkpoint_reader& in, const std::string& name, Contacts& contacts) {
+  if constexpr (requires { contacts.work().keep(); }) {
+    contacts.work().restore({get_sum(in, name + ".damping_work"), get_sum(in, name + ".friction_work")});
   }
 }
 

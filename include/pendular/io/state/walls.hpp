@@ -23,15 +23,11 @@ void put_walls(checkpoint_writer& out, const System& s) {
     for_each_scalar<double>(wall.drive, keep);
     for_each_scalar<double>(wall.force, keep);
     for_each_scalar<double>(wall.load, keep);
-    const auto done = contacts.work().total();
-    state.insert(state.end(), {wall.work, done.damping, done.friction});
+    state.push_back(wall.work);
     out.put(name, state);
+    put_work(out, name, contacts);
     const auto key = [&](std::size_t k, std::vector<std::int64_t>& keys) { keys.push_back(view.id[contacts.row(k)]); };
-    put_memories(out, name + ".memory", contacts.memories(), contacts.size(), key);
-    put_actions(out, name + ".action", contacts, contacts.size(), key);
-    if constexpr (requires { contacts.work().last_forces(); }) {
-      put_memories(out, name + ".last_force", contacts.work().last_forces(), contacts.size(), key);
-    }
+    put_rows(out, name + ".rows", contacts, contacts.size(), key);
   });
 }
 
@@ -39,13 +35,14 @@ template <class System>
 void get_walls(const checkpoint_reader& in, System& s) {
   std::size_t index = 0;
   s.for_each_wall([&](auto& wall, auto& contacts) {
-    std::size_t count = 3;
+    std::size_t count = 1;
     const auto add = [&](const double&) { ++count; };
     for_each_scalar<double>(wall.shape, add);
     for_each_scalar<double>(wall.drive, add);
     for_each_scalar<double>(wall.force, add);
     for_each_scalar<double>(wall.load, add);
-    const auto state = in.get<std::vector<double>>("wall." + std::to_string(index++), count);
+    const std::string name = "wall." + std::to_string(index++);
+    const auto state = in.get<std::vector<double>>(name, count);
     std::size_t k = 0;
     const auto restore = [&](double& v) { v = state[k++]; };
     for_each_scalar<double>(wall.shape, restore);
@@ -53,14 +50,14 @@ void get_walls(const checkpoint_reader& in, System& s) {
     for_each_scalar<double>(wall.force, restore);
     for_each_scalar<double>(wall.load, restore);
     wall.work = state[k];
-    contacts.work().restore({state[k + 1], state[k + 2]});
+    get_work(in, name, contacts);
     if constexpr (requires { validate(wall.shape); }) validate(wall.shape);
     if constexpr (requires { validate(wall.drive); }) validate(wall.drive);
   });
 }
 
 template <class System>
-void get_wall_memories(const checkpoint_reader& in, System& s, const row_index& rows) {
+void get_wall_rows(const checkpoint_reader& in, System& s, const row_index& rows) {
   std::size_t index = 0;
   s.for_each_wall([&](auto&, auto& contacts) {
     std::vector<std::size_t> place(s.particles().size(), contacts.size());
@@ -71,11 +68,7 @@ void get_wall_memories(const checkpoint_reader& in, System& s, const row_index& 
       if (k == contacts.size()) refuse_content("grain " + std::to_string(*key) + " is not near " + name);
       return k;
     };
-    get_memories(in, name + ".memory", contacts.memories(), 1, row);
-    get_actions(in, name + ".action", contacts, 1, row);
-    if constexpr (requires { contacts.work().last_forces(); }) {
-      get_memories(in, name + ".last_force", contacts.work().last_forces(), 1, row);
-    }
+    get_rows(in, name + ".rows", contacts, 1, row);
   });
 }
 

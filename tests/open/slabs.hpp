@@ -48,10 +48,8 @@ class slab_house {
  public:
   /// Where slabs meet, in ascending order, m.
   explicit slab_house(std::vector<double> borders)
-      : borders_(std::move(borders)), shown_(borders_.size() + 1),
-        rooms_(borders_.size() + 1), numbers_{std::vector<double>(borders_.size() + 1),
-                                              std::vector<double>(borders_.size() + 1)},
-        gate_(borders_.size() + 1) {}
+      : borders_(std::move(borders)), shown_(size()), said_{std::vector<double>(size()), std::vector<double>(size())},
+        rooms_(size()), gate_(size()) {}
 
   std::size_t size() const { return borders_.size() + 1; }
   double begin(std::size_t slab) const {
@@ -71,7 +69,7 @@ class slab_house {
 
   std::vector<double> borders_;
   std::vector<const void*> shown_;
-  std::array<std::vector<double>, 2> numbers_;
+  std::array<std::vector<double>, 2> said_;
   std::vector<room> rooms_;
   meeting_place gate_;
   std::size_t migrations_ = 0;
@@ -88,7 +86,7 @@ class slab {
   /// One gate is enough: nobody can be two questions ahead, and the next one is asked in the other bank.
   double most(double value) const {
     auto& room = house_->rooms_[place_];
-    auto& bank = house_->numbers_[room.questions++ % 2];
+    auto& bank = house_->said_[room.questions++ % 2];
     bank[place_] = value;
     house_->gate_.wait_for_all();
     return *std::max_element(bank.begin(), bank.end());

@@ -24,7 +24,7 @@ inline void put_outside(checkpoint_writer& out, const ledger::books& books) {
   std::size_t k = 0;
   for (const auto& account : books.outside) {
     names += account.name + '\n';
-    out.put("liquid.outside." + std::to_string(k++), account.volume.parts());
+    put_sum(out, "liquid.outside." + std::to_string(k++), account.volume);
   }
   out.put("liquid.outside_names", std::string_view{names});
 }
@@ -55,9 +55,9 @@ void put_liquid(checkpoint_writer& out, const System& s) {
   out.put("liquid.keys", keys);
   out.put("liquid.volumes", volumes);
   out.put("liquid.films", films);
-  out.put("liquid.reservoir", books.reservoir.parts());
+  put_sum(out, "liquid.reservoir", books.reservoir);
   out.put("liquid.introduced", books.introduced);
-  out.put("liquid.work", s.bridges().work_sum().parts());
+  put_sum(out, "liquid.work", s.bridges().work_sum());
   put_outside(out, books);
   const auto& outside = s.bridges().outside();
   out.put("liquid.outside", std::vector<std::int64_t>{outside.capillary_law, outside.rupture_law});

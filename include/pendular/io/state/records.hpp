@@ -34,17 +34,23 @@ std::vector<T> get_keys(const checkpoint_reader& in, const std::string& name, st
   return keys;
 }
 
-/// A sum that is kept as the numbers it is made of. Errors: one of them is not finite.
-inline reproducible_sum sum_of(const std::vector<double>& parts) {
-  reproducible_sum sum;
-  for (const double v : parts) {
-    if (!std::isfinite(v)) refuse_content("one of its sums is not finite");
-    sum.add(v);
-  }
-  return sum;
+/// A sum, as the numbers that it is made of and, before them, how many these are.
+inline void put_sum(checkpoint_writer& out, const std::string& name, const reproducible_sum& sum) {
+  std::vector<double> record = sum.parts();
+  record.insert(record.begin(), static_cast<double>(record.size()));
+  out.put(name, record);
 }
 inline reproducible_sum get_sum(const checkpoint_reader& in, const std::string& name) {
-  return sum_of(in.get<std::vector<double>>(name));
+  const auto record = in.get<std::vector<double>>(name);
+  if (record.empty() || record[0] != static_cast<double>(record.size() - 1)) {
+    refuse_content("the sum " + name + " is not all there");
+  }
+  reproducible_sum sum;
+  for (std::size_t k = 1; k < record.size(); ++k) {
+    if (!std::isfinite(record[k])) refuse_content("the sum " + name + " is not finite");
+    sum.add(record[k]);
+  }
+  return sum;
 }
 
 }  // namespace pendular::io::detail

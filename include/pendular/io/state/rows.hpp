@@ -55,8 +55,8 @@ template <class Contacts>
 void put_work(checkpoint_writer& out, const std::string& name, const Contacts& contacts) {
   if constexpr (requires { contacts.work().keep(); }) {
     const auto settled = contacts.work().keep();
-    out.put(name + ".damping_work", settled.damping.parts());
-    out.put(name + ".friction_work", settled.friction.parts());
+    put_sum(out, name + ".damping_work", settled.damping);
+    put_sum(out, name + ".friction_work", settled.friction);
   }
 }
 template <class Contacts>

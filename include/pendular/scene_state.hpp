@@ -9,6 +9,7 @@
 #include <pendular/space/grains.hpp>
 #include <pendular/space/neighbourhood.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -117,7 +118,15 @@ class scene_state {
   /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
   std::vector<scene_limit> limits() const {
     expect_grains("a list of limits");
-    return limits_of(*this);
+    const auto walls = [&](const auto& visit) {
+      for_each_wall([&](const auto& wall, const auto&) { visit(wall, material_of(wall)); });
+    };
+    std::vector<scene_limit> all = contact_limits(integrator_, grains_, pairs(), rows_.material(), walls);
+    if constexpr (wet) {
+      const auto of_bridges = bridge_limits(integrator_, grains_, rows_.material(), view(), bridges());
+      all.insert(all.end(), of_bridges.begin(), of_bridges.end());
+    }
+    return all;
   }
 
   /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
@@ -152,6 +161,12 @@ class scene_state {
     const double margin = options_.domain_margin * (size.x + size.y + size.z + 100 * extreme_radii(grains_).second);
     const vector all_around{margin, margin, margin};
     return {b.lower - all_around, b.upper + all_around};
+  }
+  /// Of a driven grain or a wall, m/s.
+  double fastest_driven() const {
+    double speed = driven_.fastest();
+    for_each_wall([&](const auto& wall, const auto&) { speed = std::max(speed, wall.approach_speed()); });
+    return speed;
   }
   contact_clock clock_of(bool moving) const {
     return {integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving, steps_};

@@ -180,7 +180,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   }
 
  private:
-  using state::around, state::check_arguments, state::clock_of, state::expect_grains, state::up;
+  using state::around, state::check_arguments, state::clock_of, state::expect_grains, state::fastest_driven, state::up;
   using state::clock_, state::steps_, state::started_;
   using state::rows_, state::integrator_, state::options_, state::grains_, state::driven_, state::near_, state::domain_;
 
@@ -250,7 +250,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, Tags.
   void rebuild(bool standing, double reach = 0, std::span<const char> gone = {}) {
     check_grains(grains_, domain_, steps_);
     const double small = extreme_radii(grains_).first;
-    const double skin = small * options_.skin.value_or(cheapest_skin(longest_way(*this) / small));
+    const double way = longest_way(grains_, fastest_driven(), integrator_.time_step);
+    const double skin = small * options_.skin.value_or(cheapest_skin(way / small));
     double range = skin;
     if constexpr (wet) {
       const pair_view before = view();

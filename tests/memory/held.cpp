@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bytes per pair, per grain and per grain at a wall that a composition says are those that a scene holds: a copy of it
-// asks for no more memory than what is in its vectors, so that two scenes of which one has more pairs differ by theirs.
+// The bytes per pair, per grain and per grain at a wall that a composition says are those that a scene holds: a copy of
+// it asks for no more memory than what is in its vectors, so that two scenes of which one has more pairs differ by
+// theirs.
 #include "../catch.hpp"
 
 #include <pendular/law/capillary/willett_closed_form.hpp>

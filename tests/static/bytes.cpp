@@ -58,8 +58,8 @@ static_assert(takes<scene<cundall, water<capillary::willett_closed_form>>>(184, 
 static_assert(takes<scene<cundall, water<capillary::willett>>>(192, 228, 180));
 static_assert(takes<scene<smooth, water<capillary::richefeu>>>(104, 164, 84));
 
-// What a row of four numbers has beside a vector is there to fill its 32 bytes, whoever asks for it: of a grain that has no
-// contacts to be counted nothing could be left out.
+// What a row of four numbers has beside a vector is there to fill its 32 bytes, whoever asks for it: of a grain that has
+// no contacts to be counted nothing could be left out.
 struct alignas(32) vector_alone {
   vector v;
 };

@@ -7,6 +7,7 @@
 #include <pendular/law/check.hpp>
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/liquid/source/all.hpp>
+#include <pendular/observe/bytes.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/coulomb_fit.hpp>
 #include <pendular/observe/energy.hpp>

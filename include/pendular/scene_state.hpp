@@ -11,6 +11,7 @@
 #include <pendular/space/grains.hpp>
 #include <pendular/space/neighbourhood.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -131,7 +132,15 @@ class scene_state {
   /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
   std::vector<scene_limit> limits() const {
     expect_grains("a list of limits");
-    return limits_of(*this);
+    const auto walls = [&](const auto& visit) {
+      for_each_wall([&](const auto& wall, const auto&) { visit(wall, material_of(wall)); });
+    };
+    std::vector<scene_limit> all = contact_limits(integrator_, grains_, pairs(), rows_.material(), walls);
+    if constexpr (wet) {
+      const auto of_bridges = bridge_limits(integrator_, grains_, rows_.material(), view(), bridges());
+      all.insert(all.end(), of_bridges.begin(), of_bridges.end());
+    }
+    return all;
   }
 
   /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
@@ -178,6 +187,12 @@ class scene_state {
     const auto most = [&](double v) { return host().most(grains_.size() > 0 ? v : -HUGE_VAL); };
     return {{least(b.lower.x), least(b.lower.y), least(b.lower.z)},
             {most(b.upper.x), most(b.upper.y), most(b.upper.z)}};
+  }
+  /// Of a driven grain or a wall, m/s.
+  double fastest_driven() const {
+    double speed = driven_.fastest();
+    for_each_wall([&](const auto& wall, const auto&) { speed = std::max(speed, wall.approach_speed()); });
+    return speed;
   }
   contact_clock clock_of(bool moving) const {
     return {integrator_.time_step, Integration::velocity_lag, options_.overlap_limit, moving, steps_};

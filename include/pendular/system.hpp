@@ -190,7 +190,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
  private:
   static options_type default_options() requires(!is_distributed<H>) { return {}; }
 
-  using state::check_arguments, state::clock_of, state::expect_grains, state::up, state::wide_domain;
+  using state::check_arguments, state::clock_of, state::expect_grains, state::fastest_driven, state::up,
+      state::wide_domain;
   using state::clock_, state::steps_, state::started_;
   using state::rows_, state::integrator_, state::options_, state::grains_, state::driven_, state::near_, state::domain_;
 
@@ -263,7 +264,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   void rebuild(bool standing, double reach = 0, std::span<const char> gone = {}) {
     together(host(), [&] { check_grains(grains_, domain_, steps_); });
     const double small = extremes_of(grains_.template get<column::radius>(), host()).smallest;
-    const double skin = small * options_.skin.value_or(cheapest_skin(host().most(longest_way(*this)) / small));
+    const double way = host().most(longest_way(grains_, fastest_driven(), integrator_.time_step));
+    const double skin = small * options_.skin.value_or(cheapest_skin(way / small));
     double range = skin;
     if constexpr (wet) {
       const pair_view before = view();

@@ -13,12 +13,21 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <type_traits>
 
 using namespace pendular;
 
 namespace {
 const double kilogram = 3 / (4 * std::numbers::pi);  // density of a grain of 1 kg and 1 m
 constexpr run_options unchecked{.overlap_limit = 0.9, .force = true};
+
+/// A spring as stiff as the pair is heavy, 1/s2 kg: a law that looks at the reduced mass where nobody keeps it.
+struct heavy_spring {
+  template <Scalar T>
+  T repulsion(const approach<T>& a) const {
+    return T(100) * a.reduced_mass * max(T(-a.gap), T(0));
+  }
+};
 
 template <class Material>
 auto scene_of(const Material& m) {
@@ -48,6 +57,26 @@ TEST_CASE("the dashpot takes the reduced mass and the closing speed") {
   s.start();
   CHECK(s.contacts().force(0).x == within(1e-12, -(30 + 15 * 0.4)));
   CHECK(s.contacts().force(0).y == 0);
+}
+
+TEST_CASE("a normal law is told the reduced mass though nothing keeps it, of pairs, of held grains and at walls") {
+  static_assert(std::is_empty_v<contact_constants<double, material<heavy_spring>>>);
+  // 1 kg and 3 kg: m = 0.75; 3 kg alone if the other is held; the grain's own mass at the floor
+  pendular::system s{material{heavy_spring{}}, boundary::walls{boundary::wall{boundary::plane{{0, 0, 0}, {0, 0, 1}}}},
+                     velocity_verlet{1e-6}, unchecked};
+  s.add({{0, 0, 5}, 1, kilogram});
+  s.add({{1.9, 0, 5}, 1, 3 * kilogram});
+  s.add({{0, 10, 0.9}, 1, 2 * kilogram});
+  s.start();
+  REQUIRE(s.pairs().size() == 1);
+  CHECK(s.contacts().force(0).x == within(1e-12, -7.5));
+  CHECK(s.particles().get<column::force>()[s.particles().row_of(2)].z == within(1e-12, 20));
+  s.drive(0);
+  s.run(1);
+  CHECK(s.contacts().force(0).x == within(1e-6, -30));
+  s.release(0);
+  s.run(1);
+  CHECK(s.contacts().force(0).x == within(1e-6, -7.5));
 }
 
 TEST_CASE("a friction spring is gone once its contact has opened, also if the forces were only looked at meanwhile") {

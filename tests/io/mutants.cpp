@@ -387,20 +387,20 @@ TEST_CASE("a stage that a scene has not, or steps beyond it, are refused", "[io]
   out.put("scene.stage", "seal"), out.put("scene.done", std::int64_t{100});
   out.commit();
   const io::checkpoint_reader in(folder / "c");
-  CHECK(scene::stage_in(in, {"deposit", "seal"}) == "seal");
-  CHECK(scene::steps_done(in, 100) == 100);
-  CHECK(scratch::mentions(scratch::message<std::runtime_error>([&] {
-                            scene::stage_in(in, {"relax", "compress"});
-                          }),
+  const scene::stages packing(1e-3, {{"deposit", 0.2}, {"seal", 0.1}});
+  const scene::stages there = packing.read(in);
+  CHECK((there.at("seal") && there.done() == 100 && there.steps() == 100 && packing.at("deposit")));
+  const auto refusal = [&](const scene::stages& s) {
+    return scratch::message<std::runtime_error>([&] { s.read(io::checkpoint_reader(folder / "c")); });
+  };
+  CHECK(scratch::mentions(refusal({1e-3, {{"relax", 0.2}, {"compress", 0.1}}}),
                           {"'scene.stage'", "'relax', 'compress'"}));
-  CHECK(scratch::mentions(scratch::message<std::runtime_error>([&] { scene::steps_done(in, 99); }),
+  CHECK(scratch::mentions(refusal({1e-3, {{"deposit", 0.2}, {"seal", 0.099}}}),
                           {"holds 100 in 'scene.done'", "0 to the stage's 99 steps"}));
   io::checkpoint_writer negative(folder / "c");
-  negative.put("scene.done", std::int64_t{-1});
+  negative.put("scene.stage", "seal"), negative.put("scene.done", std::int64_t{-1});
   negative.commit();
-  CHECK(scratch::mentions(
-      scratch::message<std::runtime_error>([&] { scene::steps_done(io::checkpoint_reader(folder / "c"), 99); }),
-      {"holds -1 in 'scene.done'"}));
+  CHECK(scratch::mentions(refusal(packing), {"holds -1 in 'scene.done'"}));
 }
 
 TEST_CASE("a grading with a class that is none is refused", "[io][mutants]") {

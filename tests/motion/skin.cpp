@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../catch.hpp"
 
+#include <pendular/boundary/plane.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
 #include <pendular/law/normal/linear.hpp>
@@ -39,7 +40,8 @@ auto gas(double speed, std::optional<double> skin) {
 }  // namespace
 
 TEST_CASE("no skin is cheaper than the one that is chosen") {
-  for (const double way : {1e-5, 2e-4, 1e-3, 1e-2, 0.1}) CHECK(cheapest_skin(way) == within(2e-3, cheapest_of_many(way)));
+  for (const double way : {1e-5, 2e-4, 1e-3, 1e-2, 0.1})
+    CHECK(cheapest_skin(way) == within(2e-3, cheapest_of_many(way)));
 }
 
 TEST_CASE("grains at rest and grains beyond all speed still get a skin that works") {
@@ -47,11 +49,32 @@ TEST_CASE("grains at rest and grains beyond all speed still get a skin that work
   CHECK(cheapest_skin(1e9) == 1);
 }
 
-TEST_CASE("the longest way is that of the fastest grain or wall") {
+TEST_CASE("the longest way is that of the fastest grain, or of what is faster") {
   auto s = gas(0.2, {});
   double fastest = 0;
   for (const vector& v : s.particles().get<column::velocity>()) fastest = std::max(fastest, norm(v));
-  CHECK(longest_way(s) == within(1e-15, 1e-6 * fastest));
+  CHECK(longest_way(s.particles(), 0, 1e-6) == within(1e-15, 1e-6 * fastest));
+  CHECK(longest_way(s.particles(), 2 * fastest, 1e-6) == within(1e-15, 2e-6 * fastest));
+}
+
+TEST_CASE("a fast wall and a fast driven grain widen the skin as a fast grain does") {
+  // In one step of 1e-6 s a speed of 5 m/s is 1 % of the radius, for which a skin of sqrt(600 2 0.01 / 21) is the cheapest.
+  const double wide = 0.5e-3 * std::sqrt(600 * 2 * 0.01 / 21);
+  const auto range = [](double of_grain, double of_driven, double of_wall) {
+    pendular::system s{material{normal::linear{1e3}},
+                       boundary::walls{boundary::wall{boundary::plane{{0, 0, -1}, {0, 0, 1}},
+                                                      boundary::constant_velocity{{0, 0, of_wall}}}},
+                       velocity_verlet{1e-6}};
+    s.add({{0, 0, 0}, 0.5e-3, 2700, {of_grain, 0, 0}});
+    s.add({{0, 1, 0}, 0.5e-3, 2700});
+    s.drive(1, {0, of_driven, 0});
+    s.start();
+    return s.pairs().range();
+  };
+  CHECK(range(0, 0, 0) == within(1e-14, 0.1 * 0.5e-3));
+  CHECK(range(5, 0, 0) == within(1e-14, wide));
+  CHECK(range(0, 5, 0) == within(1e-14, wide));
+  CHECK(range(0, 0, 5) == within(1e-14, wide));
 }
 
 TEST_CASE("a scene at rest lists less than a fast one, and neither changes a bit of the result") {

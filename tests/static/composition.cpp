@@ -69,6 +69,23 @@ static_assert(cundall::has_memory && viscous::has_memory && !published::has_memo
 static_assert(std::is_empty_v<frictionless::memory<block>>);
 static_assert(numbers_per_pair<material<testing::archetype::friction_law_with_memory, spring>> == 3);
 
+// A contact keeps of what does not change what its laws ask for: the mass for friction and for damping that is not prepared,
+// the dashpot where it is.
+template <class Material>
+inline constexpr std::size_t constants_per_pair =
+    scalar_table<scene<Material, dry>::contacts_type::template constants>::width;
+template <class Material>
+inline constexpr bool keeps_dashpot =
+    !std::is_same_v<std::remove_const_t<decltype(contact_constants<double, Material>::damping)>, none>;
+static_assert(constants_per_pair<material<spring>> == 0 && constants_per_pair<material<normal::hertz>> == 0);
+static_assert(constants_per_pair<material<spring, friction::coulomb_spring>> == 1);
+static_assert(constants_per_pair<material<normal::hertz, dashpot>> == 1);
+static_assert(constants_per_pair<material<normal::hertz, dashpot, friction::coulomb_spring>> == 1);
+static_assert(constants_per_pair<frictionless> == 1 && constants_per_pair<cundall> == 2);
+static_assert(keeps_dashpot<frictionless> && keeps_dashpot<cundall> && !keeps_dashpot<material<spring>> &&
+              !keeps_dashpot<material<spring, friction::coulomb_spring>> &&
+              !keeps_dashpot<material<normal::hertz, dashpot>>);
+
 // A bond keeps its coefficients, and those of a law without any are its volume and radii.
 template <class Law>
 inline constexpr std::size_t numbers_per_bond =

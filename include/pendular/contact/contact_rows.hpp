@@ -38,6 +38,8 @@ class contact_rows {
   static constexpr bool carries_bridges = !std::is_same_v<Bonds, no_bonds>;
   template <class T>
   using memory = typename Material::template memory<T>;
+  template <class T>
+  using constants = contact_constants<T, Material>;
 
   /// Follows the rows into a new list. What acts is kept only where nobody evaluates all of it again at once.
   void carry(std::span<const std::int32_t> origin, std::size_t rows, bool keeps_actions) {
@@ -143,6 +145,7 @@ class contact_rows {
 
   template <class Way>
   void make_constants(const Way& way) {
+    if constexpr (scalar_table<constants>::width == 0) return;
     constants_.resize(actions_.size());
     for_chunks(actions_.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t p = begin; p < end; p += lane_count) {
@@ -150,6 +153,12 @@ class contact_rows {
       }
     });
     constants_known_ = true;
+  }
+  /// Where it is not kept it is made again, and costs nothing if no law looks at it.
+  template <class Way>
+  static block reduced_mass(const Way& way, std::size_t p, const constants<block>& made) {
+    if constexpr (keeps_reduced_mass<Material>) return made.reduced_mass;
+    else return 1.0 / way.inverse_mass(p);
   }
 
   // Flattened, because a block passed to a function that is not inlined goes through memory.
@@ -168,8 +177,9 @@ class contact_rows {
     const bool dragging = touching || (Bonds::is_viscous && bonded);
     if (dragging || busy == in_contact) {
       busy = dragging || !clock.moving ? in_contact : bridging;  // once more, so that what contacts remember is cleared
-      const contact_constants<block> made = constants_.load_block(p);
-      evaluate_contacts(way, way.meet(p, s, made.reduced_mass, clock.time_step), made, bonds, clock, p, found);
+      const constants<block> made = constants_.load_block(p);
+      // The encounter has no name, under which compilers would copy it.
+      evaluate_contacts(way, way.meet(p, s, reduced_mass(way, p, made), clock.time_step), made, bonds, clock, p, found);
     } else {
       found.demand_finite(s.gap);
       if (bonded || busy != idle) evaluate_bridges(way, s, bonds, p, bonded, found);
@@ -191,8 +201,8 @@ class contact_rows {
   }
 
   template <class Way>
-  void evaluate_contacts(const Way& way, const encounter<block>& e, const contact_constants<block>& made,
-                         const Bonds& bonds, const contact_clock& clock, std::size_t p, lane_findings& found) {
+  void evaluate_contacts(const Way& way, const encounter<block>& e, const constants<block>& made, const Bonds& bonds,
+                         const contact_clock& clock, std::size_t p, lane_findings& found) {
     const block& gap = e.approaching.gap;
     memory<block> remembered = memory_.load_block(p);
     contact_force<block> f = touch(way.material_of(p), e, made.damping, remembered, clock.time_step);
@@ -240,7 +250,7 @@ class contact_rows {
 
   std::size_t size_ = 0;  // without padding
   scalar_table<memory> memory_;
-  scalar_table<contact_constants> constants_;
+  scalar_table<constants> constants_;
   bool constants_known_ = false;
   std::vector<action_row<Rotates>> actions_;
   std::vector<std::size_t> fresh_;  // rows whose action is not known yet, in ascending order

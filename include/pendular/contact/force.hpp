@@ -3,8 +3,11 @@
 
 #include <pendular/contact/material.hpp>
 #include <pendular/core/fields.hpp>
+#include <pendular/core/none.hpp>
 #include <pendular/law/resistance.hpp>
 #include <pendular/law/stiffness.hpp>
+
+#include <type_traits>
 
 namespace pendular {
 
@@ -54,16 +57,40 @@ void follow_all(Memory& memory, const Vec3<T>& normal, const T& twist) {
 }
 }  // namespace detail
 
-/// What of a contact is the same as long as its pair is.
-template <class T>
-struct contact_constants {
-  T reduced_mass;               // kg
-  prepared_dashpot<T> damping;  // 0 unless the material prepares it
+/// Whether friction or damping that is not prepared asks for the reduced mass of every contact in every step.
+template <class Material>
+inline constexpr bool keeps_reduced_mass = Material::has_friction ||
+                                           (Material::has_damping && !Material::prepares_dashpot);
+
+namespace detail {
+template <class T, bool KeepsMass, bool KeepsDashpot>
+struct kept_constants {
+  T reduced_mass;  // kg
+  prepared_dashpot<T> damping;
 };
+template <class T>
+struct kept_constants<T, true, false> {
+  T reduced_mass;
+  static constexpr none damping{};
+};
+template <class T>
+struct kept_constants<T, false, true> {
+  prepared_dashpot<T> damping;
+};
+template <class T>
+struct kept_constants<T, false, false> {
+  static constexpr none damping{};
+};
+}  // namespace detail
+
+/// What of a contact is the same as long as its pair is, and is kept: no number that no law of the material asks for.
+template <class T, class Material>
+using contact_constants = detail::kept_constants<T, keeps_reduced_mass<Material>, Material::prepares_dashpot>;
 
 template <class T, class Material>
-contact_constants<T> constants_of(const Material& material, const T& reduced_mass) {
-  contact_constants<T> c{reduced_mass, {T(0)}};
+contact_constants<T, Material> constants_of(const Material& material, const T& reduced_mass) {
+  contact_constants<T, Material> c;
+  if constexpr (keeps_reduced_mass<Material>) c.reduced_mass = reduced_mass;
   if constexpr (Material::prepares_dashpot) {
     const approach<T> a{T(0), T(0), reduced_mass, T(1), T(1)};
     c.damping = material.damping().prepare(reduced_mass, stiffness(material.normal(), a));
@@ -91,8 +118,8 @@ T repulsion(const Material& material, const approach<T>& a, Memory& memory) {
                           part_of<law>(memory));
 }
 
-template <class T, class Material, class Memory>
-T damping(const Material& material, const approach<T>& a, const elastic<T>& spring, const prepared_dashpot<T>& prepared,
+template <class T, class Material, class Prepared, class Memory>
+T damping(const Material& material, const approach<T>& a, const elastic<T>& spring, const Prepared& prepared,
           Memory& memory) {
   using law = typename Material::damping_law;
   if constexpr (Material::prepares_dashpot) {
@@ -113,10 +140,11 @@ Vec3<T> traction(const Material& material, const slip<T>& s, const T& normal_for
 }  // namespace detail
 
 /// Elastic push, damping and friction of one material. The Coulomb limit takes elastic + damping, floored at 0, and
-/// never the total force, which would delete cohesion (Richefeu et al. 2007, Eq. 12).
-template <class T, class Material, class Memory>
-contact_force<T> touch(const Material& material, const encounter<T>& e, const prepared_dashpot<T>& prepared,
-                       Memory& memory, double time_step) {
+/// never the total force, which would delete cohesion (Richefeu et al. 2007, Eq. 12). `prepared` is the damping of
+/// contact_constants.
+template <class T, class Material, class Prepared, class Memory>
+contact_force<T> touch(const Material& material, const encounter<T>& e, const Prepared& prepared, Memory& memory,
+                       double time_step) {
   if constexpr (Material::has_memory) {
     detail::follow_all(memory, e.normal, Material::has_friction ? e.twist : T(0));
   }

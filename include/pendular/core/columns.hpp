@@ -16,6 +16,7 @@ class columns {
  public:
   template <class Tag>
   static constexpr bool has = (std::is_same_v<Tag, Tags> || ...);
+  static constexpr std::size_t bytes_per_row = (sizeof(typename Tags::type) + ... + 0);
 
   std::size_t size() const { return size_; }
 

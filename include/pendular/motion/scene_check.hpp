@@ -31,11 +31,11 @@ scene_limit damping_limit(const Grains& g, const Material& material) {
   return worst;
 }
 
-/// Largest stress a lid imposes, Pa.
-template <class System>
-double lid_stress(const System& s) {
+/// Largest stress a lid imposes, Pa. `for_each_wall` is as in contact_limits.
+template <class Walls>
+double lid_stress(const Walls& for_each_wall) {
   double largest = 0;
-  s.for_each_wall([&](const auto& wall, const auto&) {
+  for_each_wall([&](const auto& wall, const auto&) {
     if constexpr (requires { wall.drive.stress; }) largest = std::max(largest, wall.drive.stress);
   });
   return largest;
@@ -96,28 +96,26 @@ double weight_pressure(const Grains& g, const vector& gravity) {
   return weight / solid * dense * (high - low);
 }
 
-/// Everything that a scene must keep below a bound, as it stands.
-template <class System>
-std::vector<scene_limit> limits_of(const System& s) {
-  const auto& g = s.particles();
-  const auto& m = s.contact_material();
-  const auto& integrator = s.integrator();
-  auto rigidities = detail::rigidities(g, s.pairs(), m);
+/// What contacts and loads must keep below a bound, as they stand. `for_each_wall` calls its argument with every wall and
+/// the material of the contacts at it.
+template <class Integration, class Grains, class Material, class Walls>
+std::vector<scene_limit> contact_limits(const Integration& integrator, const Grains& g, const pair_list& list,
+                                        const Material& m, const Walls& for_each_wall) {
+  auto rigidities = detail::rigidities(g, list, m);
   const double near = 0.2 * extreme_radii(g).first;  // whatever the skin
-  s.for_each_wall(
-      [&](const auto& wall, const auto&) { detail::add_wall(rigidities, g, wall, s.material_of(wall), near); });
-  std::vector<scene_limit> all{contact_step_limit(integrator, g, rigidities),
-                               viscosity_step_limit(integrator, g, rigidities, m), damping_limit(g, m),
-                               pressure_limit(g, m, weight_pressure(g, integrator.gravity) + lid_stress(s))};
-  if constexpr (System::wet) {
-    const pair_view now = s.view();
-    const auto& b = s.bridges();
-    all.push_back(capillary_step_limit(integrator, g, now, b));
-    if constexpr (System::liquid_type::is_viscous) {
-      all.push_back(bridge_viscosity_step_limit(integrator, g, now, b));
-    }
-    all.push_back(bridge_softness_limit(m, now, b));
-  }
+  for_each_wall([&](const auto& wall, const auto& own) { detail::add_wall(rigidities, g, wall, own, near); });
+  const double pressure = weight_pressure(g, integrator.gravity) + lid_stress(for_each_wall);
+  return {contact_step_limit(integrator, g, rigidities), viscosity_step_limit(integrator, g, rigidities, m),
+          damping_limit(g, m), pressure_limit(g, m, pressure)};
+}
+
+/// What bridges must keep below a bound besides.
+template <class Integration, class Grains, class Material, class Liquid>
+std::vector<scene_limit> bridge_limits(const Integration& integrator, const Grains& g, const Material& m,
+                                       const pair_view& view, const bonds<Liquid>& b) {
+  std::vector<scene_limit> all{capillary_step_limit(integrator, g, view, b)};
+  if constexpr (Liquid::is_viscous) all.push_back(bridge_viscosity_step_limit(integrator, g, view, b));
+  all.push_back(bridge_softness_limit(m, view, b));
   return all;
 }
 

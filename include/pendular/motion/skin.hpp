@@ -9,14 +9,12 @@
 
 namespace pendular {
 
-/// Way of the fastest grain or wall in one step, m.
-template <class System>
-double longest_way(const System& s) {
+/// Way of the fastest in one step, m: one of the grains, or of what else moves in the scene with the speed `others`, m/s.
+template <class Grains>
+double longest_way(const Grains& g, double others, double time_step) {
   double square = 0;
-  for (const vector& v : s.particles().template get<column::velocity>()) square = std::max(square, dot(v, v));
-  double speed = std::max(std::sqrt(square), s.driven().fastest());
-  s.for_each_wall([&](const auto& wall, const auto&) { speed = std::max(speed, wall.approach_speed()); });
-  return s.integrator().time_step * speed;
+  for (const vector& v : g.template get<column::velocity>()) square = std::max(square, dot(v, v));
+  return time_step * std::max(std::sqrt(square), others);
 }
 
 /// Skin of the Verlet list, over the smallest radius, for which a step costs least: a skin s adds pairs that do not act in

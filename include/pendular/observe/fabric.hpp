@@ -5,6 +5,7 @@
 #include <pendular/observe/pairs.hpp>
 
 #include <Eigen/Core>
+#include <range/v3/view/filter.hpp>
 
 #include <cstddef>
 
@@ -19,8 +20,8 @@ template <class System>
 Eigen::Matrix3d fabric_tensor(const System& s, links by = links::contacts) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   std::size_t count = 0;
-  for (const pair& p : pairs(s)) {
-    if (!(by == links::bridges ? bridged(p) : touching(p))) continue;
+  const auto linked = [by](const pair& p) { return by == links::bridges ? bridged(p) : touching(p); };
+  for (const pair& p : pairs(s) | ::ranges::views::filter(linked)) {
     const Eigen::Vector3d n = as_eigen(p.normal());
     sum += n * n.transpose();
     ++count;

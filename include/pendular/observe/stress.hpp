@@ -7,6 +7,7 @@
 #include <pendular/space/grains.hpp>
 
 #include <Eigen/Core>
+#include <range/v3/algorithm/count_if.hpp>
 #include <range/v3/numeric/accumulate.hpp>
 #include <range/v3/view/transform.hpp>
 
@@ -35,19 +36,14 @@ template <class System>
 double unbalanced_force_ratio(const System& s) {
   const auto force = s.particles().template get<column::force>();
   const auto inverse_mass = s.particles().template get<column::inverse_mass>();
-  double pair_sum = 0;
-  std::size_t acting = 0;
-  for (const pair& p : pairs(s)) {
-    const double size = norm(p.force);
-    pair_sum += size;
-    acting += size > 0 ? 1 : 0;
-  }
+  const auto sizes = pairs(s) | ::ranges::views::transform([](const pair& p) { return norm(p.force); });
+  const auto acting = ::ranges::count_if(sizes, [](double size) { return size > 0; });
   double net = 0;
   for (std::size_t k = 0; k < force.size(); ++k) {
     net += norm(force[k] + (1 / inverse_mass[k]) * s.integrator().gravity);
   }
   if (acting == 0) return 0;
-  return net / static_cast<double>(force.size()) / (pair_sum / static_cast<double>(acting));
+  return net / static_cast<double>(force.size()) / (::ranges::accumulate(sizes, 0.0) / static_cast<double>(acting));
 }
 
 }  // namespace pendular::observe

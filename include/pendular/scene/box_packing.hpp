@@ -18,7 +18,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pendular::scene {
@@ -136,8 +135,8 @@ class box_packing {
   box_packing(const box_packing_parameters& p, const Material& grains, const smooth_contact& walls)
       : parameters_(checked(p)),
         start_(loose_lattice(diameters(p.sizes, p.grains, p.seed), p.density, p.agitation, p.seed)),
-        system_(grains, loaded_box(start_.room, p.pressure, walls), half_step_velocity_verlet{p.time_step},
-                p.numerics) {}
+        system_(grains, loaded_box(start_.room, p.pressure, walls), half_step_velocity_verlet{p.time_step}, p.numerics),
+        now_(p.time_step, {{"compact", p.compaction}}) {}
 
   /// From the start, or from where a checkpoint stopped, until the sample is at rest under the pressure or the time is
   /// over. Errors: input_error, run_error.
@@ -145,9 +144,9 @@ class box_packing {
     if (system_.particles().size() == 0) {
       for (const grain& g : start_.grains) system_.add(g);
     }
-    run_stage(
-        system_, "compact", done_, std::llround(parameters_.compaction / parameters_.time_step), slice, watch,
-        [&] { return follow(); }, [&] { save(watch); }, [&] { return at_rest(); });
+    now_.run(
+        system_, slice, watch, [&] { return follow(); }, [&](io::checkpoint_writer& out) { put(out); },
+        [&] { return at_rest(); });
     return packed();
   }
 
@@ -156,22 +155,17 @@ class box_packing {
     const auto count = in.get<std::int64_t>("scene.grains");
     expects(count == parameters_.grains, "the number of grains in the checkpoint", static_cast<double>(count),
             std::to_string(parameters_.grains), "docs/reference/scenes.md");
-    const auto done = steps_done(in, std::llround(parameters_.compaction / parameters_.time_step));
+    const stages there = now_.read(in);
     const auto state = in.get<std::vector<double>>("scene.rest", 2);
     for (const double x : state) in.require(!std::isnan(x), "scene.rest", x, "a number");
     io::load(in, system_, io::winner::file_for_walls);
-    done_ = done, stress_ = state[0], unbalanced_force_ = state[1];
+    now_ = there, stress_ = state[0], unbalanced_force_ = state[1];
   }
 
   const system_type& sample() const { return system_; }
 
  private:
   static constexpr std::int64_t slice = 100;  // steps, in which a box of 8000 grains shrinks by 0.3 % at most
-
-  static const box_packing_parameters& checked(const box_packing_parameters& p) {
-    validate(p);
-    return p;
-  }
 
   /// Kept, and not computed anew where a run goes on: a checkpoint has no forces of pairs.
   bool at_rest() const {
@@ -189,27 +183,19 @@ class box_packing {
   }
 
   boxed_packing packed() const {
-    boxed_packing p{{}, room_of(system_.walls()), stress_, unbalanced_force_};
-    const auto& g = system_.particles();
-    for (const std::size_t row : g.rows_by_id()) p.grains.push_back(g[row]);
-    return p;
+    return {grains_by_id(system_.particles()), room_of(system_.walls()), stress_, unbalanced_force_};
   }
 
-  void save(const monitor& watch) const {
-    io::checkpoint_writer out(watch.checkpoint);
-    out.put("scene.label", std::string_view{watch.label});
-    out.put("scene.stage", std::string_view{"compact"});
-    out.put("scene.done", done_);
+  void put(io::checkpoint_writer& out) const {
     out.put("scene.grains", parameters_.grains);
     out.put("scene.rest", std::vector<double>{stress_, unbalanced_force_});
     io::save(out, system_);
-    out.commit();
   }
 
   box_packing_parameters parameters_;
   lattice start_;
   system_type system_;
-  std::int64_t done_ = 0;
+  stages now_;
   double stress_ = 0, unbalanced_force_ = std::numeric_limits<double>::infinity();
 };
 

@@ -59,7 +59,8 @@ class cohesive_sample {
   cohesive_sample(const cohesive_parameters& p, const Material& grains, const smooth_contact& walls, const Liquid& l)
       : parameters_(checked(p)),
         system_(grains, l, loaded_box({{-1, -1, -1}, {1, 1, 1}}, p.confining_pressure, walls, p.mass_scaling),
-                half_step_velocity_verlet{p.time_step}, p.numerics) {}
+                half_step_velocity_verlet{p.time_step}, p.numerics),
+        now_(p.time_step, {{"relax", p.relaxation}}) {}
 
   /// Wets the grains of a packing, which start at rest. Errors: input_error for what is no packing, or a second one, and
   /// then nothing has changed; input_error where the scene breaks a limit.
@@ -68,11 +69,7 @@ class cohesive_sample {
     const auto there = static_cast<double>(system_.particles().size());
     expects(there == 0, "the number of grains in the sample before a packing comes", there, "0",
             "docs/reference/scenes.md");
-    for (grain g : packing.grains) {
-      g.density *= parameters_.mass_scaling;
-      g.velocity = g.angular_velocity = {0, 0, 0};
-      system_.add(g);
-    }
+    add_at_rest(system_, packing.grains, parameters_.mass_scaling);
     enclose(system_.walls(), packing.room);
     load_box(system_.walls(), parameters_.confining_pressure, parameters_.mass_scaling);
     system_.start();
@@ -86,21 +83,22 @@ class cohesive_sample {
 
   /// From `start` or from where a checkpoint stopped. Errors: run_error.
   const cohesive_result& run(const monitor& watch) {
-    if (look && done_ == 0) look(system_, result_);
-    run_stage(
-        system_, "relax", done_, std::llround(parameters_.relaxation / parameters_.time_step), steps_per_record(),
-        watch, [&] { return record(); }, [&] { save(watch); }, [&] { return at_rest(); });
+    if (look && now_.done() == 0) look(system_, result_);
+    const double interval = std::min(parameters_.sample_interval, parameters_.relaxation);
+    now_.run(
+        system_, slice_of(interval, parameters_.time_step), watch, [&] { return record(); },
+        [&](io::checkpoint_writer& out) { io::save(out, system_), save(out, result_); }, [&] { return at_rest(); });
     system_.run(1);  // a list made anew for a checkpoint has no forces, and who asks for the result wants them
     result_.end = state();
     return result_;
   }
 
   void resume(const io::checkpoint_reader& in) {
-    const auto done = steps_done(in, std::llround(parameters_.relaxation / parameters_.time_step));
+    const stages there = now_.read(in);
     auto result = result_;
     load(in, result);
     io::load(in, system_, io::winner::file_for_walls);
-    done_ = done, result_ = std::move(result);
+    now_ = there, result_ = std::move(result);
   }
 
   /// Called before the first step and after every record.
@@ -118,30 +116,19 @@ class cohesive_sample {
   }
 
  private:
-  static const cohesive_parameters& checked(const cohesive_parameters& p) {
-    validate(p);
-    return p;
-  }
-
-  std::int64_t steps_per_record() const {
-    const double interval = std::min(parameters_.sample_interval, parameters_.relaxation);
-    return std::max<std::int64_t>(1, std::llround(interval / parameters_.time_step));
-  }
-
   std::string record() {
     load_box(system_.walls(), parameters_.confining_pressure, parameters_.mass_scaling);
     const auto z = observe::coordination_of(system_);
     const auto energy = observe::energies_of(system_);
-    const auto& book = system_.bridges().book();
     const box room = room_of(system_.walls());
     result_.records.push_back(
-        {static_cast<double>(done_) * parameters_.time_step,
+        {now_.time(),
          solid_volume(system_.particles()) / volume_of(room),
          z.contacts,
          z.bridges,
          observe::unbalanced_force_ratio(system_),
          mean_stress(system_.walls()),
-         book.introduced() > 0 ? book.total() / book.introduced() : 1,
+         liquid_kept(system_),
          {energy.balance() - result_.energy_at_start.balance(), energy.turnover_since(result_.energy_at_start)}});
     if (look) look(system_, result_);
     const auto& last = result_.records.back();
@@ -163,20 +150,10 @@ class cohesive_sample {
             z.open_bridges};
   }
 
-  void save(const monitor& watch) const {
-    io::checkpoint_writer out(watch.checkpoint);
-    out.put("scene.label", std::string_view{watch.label});
-    out.put("scene.stage", std::string_view{"relax"});
-    out.put("scene.done", done_);
-    io::save(out, system_);
-    scene::save(out, result_);
-    out.commit();
-  }
-
   cohesive_parameters parameters_;
   system_type system_;
+  stages now_;
   cohesive_result result_;
-  std::int64_t done_ = 0;
 };
 
 }  // namespace pendular::scene

@@ -88,7 +88,8 @@ class direct_shear {
   using system_type = system<Material, Liquid, walls_type, half_step_velocity_verlet>;
 
   direct_shear(const shear_parameters& p, const shear_materials<Material>& m, const Liquid& l)
-      : parameters_(checked(p)), materials_(m), system_(build(p, m.smooth, l)) {}
+      : parameters_(checked(p)), materials_(m), system_(build(p, m.smooth, l)),
+        now_(p.time_step, {{"consolidate", p.consolidation}, {"rest", p.rest}, {"shear", p.duration()}}) {}
 
   /// Wets the grains and puts the lid on. Errors: input_error where the packing is none or not of this cell, or the scene
   /// breaks a limit.
@@ -98,11 +99,7 @@ class direct_shear {
             "the radius of the packing's cylinder (m)", packing.cylinder_radius, "that of the cell",
             "docs/reference/scenes.md");
     result_.sample.deposited_height = packing.height;
-    for (grain g : packing.grains) {
-      g.density *= parameters_.mass_scaling;
-      g.velocity = g.angular_velocity = {0, 0, 0};
-      system_.add(g);
-    }
+    add_at_rest(system_, packing.grains, parameters_.mass_scaling);
     lid().shape.point.z = packing.height;
     system_.start();
     if constexpr (system_type::wet) {
@@ -114,34 +111,31 @@ class direct_shear {
 
   /// From `start` or from where a checkpoint stopped. Errors: run_error.
   const shear_result& run(const monitor& watch) {
-    const auto keep = [&] { save(watch); };
-    if (stage_ == "consolidate") {
-      run_stage(
-          system_, stage_, done_, steps(parameters_.consolidation), 1, watch, [&] { return look_at_density(); }, keep,
-          [&] { return solid_fraction() >= parameters_.solid_fraction; });
+    const auto put = [&](io::checkpoint_writer& out) { save(out, result_), io::save(out, system_); };
+    const auto news = [&] { return look_at_density(); };
+    if (now_.at("consolidate")) {
+      now_.run(system_, 1, watch, news, put, [&] { return solid_fraction() >= parameters_.solid_fraction; });
       add_friction();
     }
-    if (stage_ == "rest") {
-      run_stage(
-          system_, stage_, done_, steps(parameters_.rest), slice, watch, [&] { return look_at_density(); }, keep);
+    if (now_.at("rest")) {
+      now_.run(system_, slice, watch, news, put);
       start_shear();
     }
-    run_stage(
-        system_, stage_, done_, steps(parameters_.duration()), steps_per_record(), watch, [&] { return record(); },
-        keep);
+    now_.run(
+        system_, slice_of(parameters_.sample_interval / parameters_.shear_speed, parameters_.time_step), watch,
+        [&] { return record(); }, put);
     return result_;
   }
 
   void resume(const io::checkpoint_reader& in) {
-    const auto stage = stage_in(in, {"consolidate", "rest", "shear"});
-    const auto done = steps_done(in, steps_of(stage));
+    const stages there = now_.read(in);
     auto result = result_;
     load(in, result);
     direct_shear rough = *this;  // which the grains are once they rest
-    if (stage != "consolidate") rough.roughen();
+    if (!there.at("consolidate")) rough.roughen();
     io::load(in, rough.system_, io::winner::file_for_walls);
     system_ = std::move(rough.system_);
-    stage_ = stage, done_ = done, result_ = std::move(result);
+    now_ = there, result_ = std::move(result);
   }
 
   /// Called at the start of the shear and after every line of the curve.
@@ -149,16 +143,11 @@ class direct_shear {
 
   const shear_result& result() const { return result_; }
   const system_type& sample() const { return system_; }
-  bool shearing() const { return stage_ == "shear"; }
+  bool shearing() const { return now_.at("shear"); }
 
  private:
   static constexpr double out_of_the_way = 10;  // height of a rim while the cell is one piece, m
   static constexpr std::int64_t slice = 200;    // steps
-
-  static const shear_parameters& checked(const shear_parameters& p) {
-    validate(p);
-    return p;
-  }
 
   static system_type build(const shear_parameters& p, const Material& m, const Liquid& l) {
     const half_step_velocity_verlet integrator{p.time_step, {0, 0, -p.gravity / p.mass_scaling}};
@@ -186,13 +175,14 @@ class direct_shear {
 
   void add_friction() {
     auto& sample = result_.sample;
-    sample.consolidation_time = static_cast<double>(done_) * parameters_.time_step;
+    sample.consolidation_time = now_.time();
     sample.solid_fraction = solid_fraction();
     sample.split_height = 0.5 * lid().shape.point.z;
     for (auto* half : {&lower_half(), &upper_half()}) half->shape.point.z = sample.split_height;
     roughen();
     system_.expect_limits();
-    begin("rest");
+    system_.canonicalise();
+    now_.next();
   }
 
   void start_shear() {
@@ -203,13 +193,8 @@ class direct_shear {
     result_.energy_at_start = observe::energies_of(system_);
     if (look) look(system_, result_);
     upper_half().drive.velocity = lid().drive.sliding = {parameters_.shear_speed, 0, 0};
-    begin("shear");
-  }
-
-  void begin(const char* stage) {
     system_.canonicalise();
-    stage_ = stage;
-    done_ = 0;
+    now_.next();
   }
 
   void roughen() {
@@ -220,7 +205,7 @@ class direct_shear {
   }
 
   std::string record() {
-    const double time = static_cast<double>(done_) * parameters_.time_step;
+    const double time = now_.time();
     const auto z = observe::coordination_of(system_);
     const auto energy = observe::energies_of(system_);
     result_.records.push_back(
@@ -230,7 +215,7 @@ class direct_shear {
          lid().shape.point.z,
          z.contacts,
          z.bridges,
-         liquid_kept(),
+         liquid_kept(system_),
          {energy.balance() - result_.energy_at_start.balance(), energy.turnover_since(result_.energy_at_start)}});
     if (look) look(system_, result_);
     const auto& last = result_.records.back();
@@ -258,43 +243,16 @@ class direct_shear {
     return observe::solid_fractions_of(g, {parameters_.cell_radius, 0, lid().shape.point.z}, 2 * diameter);
   }
 
-  double liquid_kept() const {
-    if constexpr (system_type::wet) {
-      const auto& book = system_.bridges().book();
-      if (book.introduced() > 0) return book.total() / book.introduced();
-    }
-    return 1;
-  }
-
   double solid_fraction() { return solid_volume(system_.particles()) / (parameters_.area() * lid().shape.point.z); }
-
-  void save(const monitor& watch) const {
-    io::checkpoint_writer out(watch.checkpoint);
-    out.put("scene.label", std::string_view{watch.label});
-    out.put("scene.stage", std::string_view{stage_});
-    out.put("scene.done", done_);
-    scene::save(out, result_);
-    io::save(out, system_);
-    out.commit();
-  }
 
   auto& lower_half() { return boundary::get<1>(system_.walls()); }
   auto& upper_half() { return boundary::get<2>(system_.walls()); }
   auto& lid() { return boundary::get<3>(system_.walls()); }
-  std::int64_t steps_of(const std::string& stage) const {
-    if (stage == "consolidate") return steps(parameters_.consolidation);
-    return steps(stage == "rest" ? parameters_.rest : parameters_.duration());
-  }
-  std::int64_t steps(double duration) const { return std::llround(duration / parameters_.time_step); }
-  std::int64_t steps_per_record() const {
-    return std::max<std::int64_t>(1, steps(parameters_.sample_interval / parameters_.shear_speed));
-  }
 
   shear_parameters parameters_;
   shear_materials<Material> materials_;
   system_type system_;
-  std::string stage_ = "consolidate";
-  std::int64_t done_ = 0;
+  stages now_;
   shear_result result_;
 };
 

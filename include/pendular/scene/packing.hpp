@@ -18,7 +18,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pendular::scene {
@@ -137,41 +136,35 @@ class packing {
   using system_type = system<Material, dry, walls_type, half_step_velocity_verlet>;
 
   packing(const packing_parameters& p, const Material& grains, const smooth& walls)
-      : parameters_(checked(p)), system_(grains, enclosure(p, walls), integrator(p), p.numerics) {}
+      : parameters_(checked(p)), system_(grains, enclosure(p, walls), integrator(p), p.numerics),
+        now_(p.time_step, {{"deposit", p.deposition}, {"seal", p.sealing}}) {}
 
   /// From the start, or from where a checkpoint stopped. Errors: input_error, run_error.
   sealed_packing run(const monitor& watch) {
     if (system_.particles().size() == 0) fill();
-    const auto keep = [&] { save(watch); };
-    if (!sealing_) {
-      run_stage(
-          system_, "deposit", done_, steps(parameters_.deposition), slice, watch,
-          [&] { return "height " + millimetres(top()); }, keep);
-      if (steps(parameters_.sealing) == 0) return sealed(top());
+    const auto put = [&](io::checkpoint_writer& out) { io::save(out, system_); };
+    if (now_.at("deposit")) {
+      now_.run(
+          system_, slice, watch, [&] { return "height " + millimetres(top()); }, put);
+      if (steps_in(parameters_.sealing, parameters_.time_step) == 0) return sealed(top());
       put_lid_on();
     }
-    run_stage(
-        system_, "seal", done_, steps(parameters_.sealing), slice, watch,
-        [&] { return "height " + millimetres(lid().shape.point.z); }, keep);
+    now_.run(
+        system_, slice, watch, [&] { return "height " + millimetres(lid().shape.point.z); }, put);
     return sealed(lid().shape.point.z);
   }
 
   /// Errors: std::runtime_error for a checkpoint of another scene.
   void resume(const io::checkpoint_reader& in) {
-    const bool sealing = stage_in(in, {"deposit", "seal"}) == "seal";
-    const auto done = steps_done(in, steps(sealing ? parameters_.sealing : parameters_.deposition));
+    const stages there = now_.read(in);
     io::load(in, system_, io::winner::file_for_walls);
-    sealing_ = sealing, done_ = done;
+    now_ = there;
   }
 
  private:
   static constexpr double out_of_the_way = 10;  // height of a lid that is not used, m
   static constexpr std::int64_t slice = 200;    // steps
 
-  static const packing_parameters& checked(const packing_parameters& p) {
-    validate(p);
-    return p;
-  }
   static half_step_velocity_verlet integrator(const packing_parameters& p) { return {p.time_step, {0, 0, -p.gravity}}; }
   static walls_type enclosure(const packing_parameters& p, const smooth& m) {
     using boundary::wall, boundary::plane, boundary::cylinder, boundary::fixed;
@@ -194,38 +187,23 @@ class packing {
     lid().drive.stress = parameters_.lid_stress;
     system_.canonicalise();
     system_.expect_limits();
-    sealing_ = true;
-    done_ = 0;
+    now_.next();
   }
 
   sealed_packing sealed(double height) const {
-    sealed_packing p{{}, height, 0, 0, parameters_.cylinder_radius};
     const auto& g = system_.particles();
-    for (const std::size_t row : g.rows_by_id()) {
-      p.grains.push_back(g[row]);
-      p.solid_mass += 1 / g.template get<column::inverse_mass>()[row];
-    }
+    sealed_packing p{grains_by_id(g), height, 0, 0, parameters_.cylinder_radius};
+    for (const std::size_t row : g.rows_by_id()) p.solid_mass += 1 / g.template get<column::inverse_mass>()[row];
     p.solid_fraction = solid_volume(g) / (parameters_.area() * height);
     return p;
   }
 
-  void save(const monitor& watch) const {
-    io::checkpoint_writer out(watch.checkpoint);
-    out.put("scene.label", std::string_view{watch.label});
-    out.put("scene.stage", std::string_view{sealing_ ? "seal" : "deposit"});
-    out.put("scene.done", done_);
-    io::save(out, system_);
-    out.commit();
-  }
-
   auto& lid() { return boundary::get<2>(system_.walls()); }
   double top() const { return tops(system_.particles()).front(); }
-  std::int64_t steps(double duration) const { return std::llround(duration / parameters_.time_step); }
 
   packing_parameters parameters_;
   system_type system_;
-  bool sealing_ = false;
-  std::int64_t done_ = 0;
+  stages now_;
 };
 
 }  // namespace pendular::scene

@@ -69,4 +69,39 @@ std::vector<vector> positions_by_id(const Grains& g) {
          ::ranges::to<std::vector<vector>>();
 }
 
+/// As the user would add them again, in the order of the ids.
+template <class Grains>
+std::vector<grain> grains_by_id(const Grains& g) {
+  const auto rows = g.rows_by_id();
+  return rows | ::ranges::views::transform([&](std::size_t row) { return g[row]; }) |
+         ::ranges::to<std::vector<grain>>();
+}
+
+/// Adds grains that start at rest, with as many times their inertia.
+template <class System>
+void add_at_rest(System& s, const std::vector<grain>& grains, double mass_scaling) {
+  for (grain g : grains) {
+    g.density *= mass_scaling;
+    g.velocity = g.angular_velocity = {0, 0, 0};
+    s.add(g);
+  }
+}
+
+/// Liquid that is here over what was introduced, 1 where there never was any.
+template <class System>
+double liquid_kept(const System& s) {
+  if constexpr (System::wet) {
+    const auto& book = s.bridges().book();
+    if (book.introduced() > 0) return book.total() / book.introduced();
+  }
+  return 1;
+}
+
+/// The parameters of a scene, after they were looked at. Errors: input_error.
+template <class Parameters>
+const Parameters& checked(const Parameters& p) {
+  validate(p);
+  return p;
+}
+
 }  // namespace pendular::scene

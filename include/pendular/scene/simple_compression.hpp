@@ -60,7 +60,8 @@ class simple_compression {
   using system_type = system<Material, Liquid, walls_type, half_step_velocity_verlet>;
 
   simple_compression(const compression_parameters& p, const Material& m, const Liquid& l)
-      : parameters_(checked(p)), system_(m, l, plates(), integrator(p), p.numerics) {}
+      : parameters_(checked(p)), system_(m, l, plates(), integrator(p), p.numerics),
+        now_(p.time_step, {{"relax", p.relaxation}, {"compress", p.duration}}) {}
 
   /// Wets the grains. Errors: input_error where the packing is none, the area is not its own, or the wet scene breaks a
   /// limit.
@@ -71,11 +72,7 @@ class simple_compression {
             "that of the packing's cylinder", "docs/reference/scenes.md");
     result_.sealed_height = packing.height;
     result_.solid_fraction = packing.solid_fraction;
-    for (grain g : packing.grains) {
-      g.density *= parameters_.mass_scaling;
-      g.velocity = g.angular_velocity = {0, 0, 0};
-      system_.add(g);
-    }
+    add_at_rest(system_, packing.grains, parameters_.mass_scaling);
     const double volume =
         parameters_.water_content * packing.solid_mass / system_.bridges().policies().substance().density;
     system_.distribute_liquid(volume, parameters_.selection);
@@ -86,24 +83,24 @@ class simple_compression {
 
   /// From `start` or from where a checkpoint stopped. Errors: run_error.
   const compression_result& run(const monitor& watch) {
-    const auto keep = [&] { save(watch); };
-    if (!compressing_) {
-      run_stage(
-          system_, "relax", done_, steps(parameters_.relaxation), slice(), watch, [&] { return look_at_rest(); }, keep);
+    const auto put = [&](io::checkpoint_writer& out) { save(out, result_), io::save(out, system_); };
+    const std::int64_t slice = slice_of(parameters_.sample_interval, parameters_.time_step);
+    if (!compressing()) {
+      now_.run(
+          system_, slice, watch, [&] { return look_at_rest(); }, put);
       start_lid();
     }
-    run_stage(
-        system_, "compress", done_, steps(parameters_.duration), slice(), watch, [&] { return record(); }, keep);
+    now_.run(
+        system_, slice, watch, [&] { return record(); }, put);
     return result_;
   }
 
   void resume(const io::checkpoint_reader& in) {
-    const bool compressing = stage_in(in, {"relax", "compress"}) == "compress";
-    const auto done = steps_done(in, steps(compressing ? parameters_.duration : parameters_.relaxation));
+    const stages there = now_.read(in);
     auto result = result_;
     load(in, result);
     io::load(in, system_, io::winner::file_for_walls);
-    compressing_ = compressing, done_ = done, result_ = std::move(result);
+    now_ = there, result_ = std::move(result);
   }
 
   /// Called at the end of the relaxation and after every line of the curve.
@@ -111,15 +108,11 @@ class simple_compression {
 
   const compression_result& result() const { return result_; }
   const system_type& sample() const { return system_; }
-  bool compressing() const { return compressing_; }
+  bool compressing() const { return now_.at("compress"); }
 
  private:
   static constexpr double out_of_the_way = 10;  // height of a lid that is not used, m
 
-  static const compression_parameters& checked(const compression_parameters& p) {
-    validate(p);
-    return p;
-  }
   static half_step_velocity_verlet integrator(const compression_parameters& p) {
     return {p.time_step, {0, 0, -p.gravity / p.mass_scaling}};
   }
@@ -131,7 +124,7 @@ class simple_compression {
 
   std::string look_at_rest() {
     const double height = surface_height(system_.particles());
-    result_.relaxation.push_back({static_cast<double>(done_) * parameters_.time_step, result_.surface_before - height,
+    result_.relaxation.push_back({now_.time(), result_.surface_before - height,
                                   result_.centre_before - mass_centre_height(system_.particles()),
                                   observe::coordination_of(system_).bridges});
     return "height " + millimetres(height);
@@ -150,42 +143,25 @@ class simple_compression {
     lid.shape.point.z = result_.start_height;
     lid.drive.velocity = {0, 0, -parameters_.lid_speed};
     system_.canonicalise();
-    compressing_ = true;
-    done_ = 0;
+    now_.next();
   }
 
   std::string record() {
     const auto& lid = boundary::get<1>(system_.walls());
     const auto z = observe::coordination_of(system_);
-    const auto& book = system_.bridges().book();
-    const double liquid = book.introduced() > 0 ? book.total() / book.introduced() : 1;
     const auto energy = observe::energies_of(system_);
-    result_.records.push_back({static_cast<double>(done_) * parameters_.time_step,
-                               result_.start_height - lid.shape.point.z, lid.force.z / parameters_.area, z.contacts,
-                               z.bridges, liquid, energy.balance() - result_.energy_at_start.balance(),
+    result_.records.push_back({now_.time(), result_.start_height - lid.shape.point.z, lid.force.z / parameters_.area,
+                               z.contacts, z.bridges, liquid_kept(system_),
+                               energy.balance() - result_.energy_at_start.balance(),
                                energy.turnover_since(result_.energy_at_start)});
     if (look) look(system_, result_);
     const auto& last = result_.records.back();
     return "stress " + std::to_string(std::lround(last.stress)) + " Pa at " + millimetres(last.shortening);
   }
 
-  void save(const monitor& watch) const {
-    io::checkpoint_writer out(watch.checkpoint);
-    out.put("scene.label", std::string_view{watch.label});
-    out.put("scene.stage", std::string_view{compressing_ ? "compress" : "relax"});
-    out.put("scene.done", done_);
-    scene::save(out, result_);
-    io::save(out, system_);
-    out.commit();
-  }
-
-  std::int64_t steps(double duration) const { return std::llround(duration / parameters_.time_step); }
-  std::int64_t slice() const { return std::max<std::int64_t>(1, steps(parameters_.sample_interval)); }
-
   compression_parameters parameters_;
   system_type system_;
-  bool compressing_ = false;
-  std::int64_t done_ = 0;
+  stages now_;
   compression_result result_;
 };
 

@@ -144,6 +144,7 @@ class grains {
  public:
   static constexpr bool rotate = Rotates;
   static constexpr bool count_contacts = CountsContacts;
+  static constexpr std::size_t bytes_per_grain = table::bytes_per_row;
 
   template <class Column>
   static constexpr bool has = [] {

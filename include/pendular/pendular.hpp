@@ -5,8 +5,10 @@
 #include <pendular/boundary/cylinder.hpp>
 #include <pendular/law/all.hpp>
 #include <pendular/law/check.hpp>
+#include <pendular/liquid/check.hpp>
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/liquid/source/all.hpp>
+#include <pendular/motion/check.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/coulomb_fit.hpp>
 #include <pendular/observe/energy.hpp>
@@ -22,5 +24,6 @@
 #include <pendular/scene/cohesive_sample.hpp>
 #include <pendular/scene/direct_shear.hpp>
 #include <pendular/scene/simple_compression.hpp>
+#include <pendular/space/check.hpp>
 #include <pendular/system.hpp>
 #include <pendular/version.hpp>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A boundary of a user's own is, to the bit, the list of its walls.
+#include "../found.hpp"
 #include "box_of_sides.hpp"
+
+#include <pendular/testing/boundary.hpp>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -36,4 +39,8 @@ TEST_CASE("a boundary of one's own gives the bits of the same walls in a list, o
   }
   omp_set_num_threads(before);
 #endif
+}
+
+TEST_CASE("a boundary of one's own keeps the promises of one") {
+  check_sound(testing::boundary_report(dry_sides(), box{{0, 0, 0}, {side, side, side}}));
 }

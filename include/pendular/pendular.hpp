@@ -3,10 +3,13 @@
 
 // Everything, for the impatient. Library headers never include this one.
 #include <pendular/boundary/cylinder.hpp>
+#include <pendular/core/host_check.hpp>
 #include <pendular/law/all.hpp>
 #include <pendular/law/check.hpp>
+#include <pendular/liquid/check.hpp>
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/liquid/source/all.hpp>
+#include <pendular/motion/check.hpp>
 #include <pendular/observe/bytes.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/coulomb_fit.hpp>
@@ -23,5 +26,6 @@
 #include <pendular/scene/cohesive_sample.hpp>
 #include <pendular/scene/direct_shear.hpp>
 #include <pendular/scene/simple_compression.hpp>
+#include <pendular/space/check.hpp>
 #include <pendular/system.hpp>
 #include <pendular/version.hpp>

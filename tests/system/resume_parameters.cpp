@@ -68,7 +68,8 @@ class made_for {
     return T(f.surface_tension) * b.radius_i + T(0) * b.gap;
   }
   void expect_fluid(const fluid& f) const {
-    expects(f.contact_angle == angle_, "the contact angle (rad)", f.contact_angle, "that of the law", "docs/x.md");
+    expects(f.contact_angle == angle_, "the contact angle (rad)", f.contact_angle, "that of the law",
+            "docs/reference/laws.md");
   }
 
  private:

@@ -43,9 +43,10 @@ class scene_rows {
   using contacts_type = pair_contacts<Material, bonds_type>;
   using wall_contacts_type = typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type;
 
-  scene_rows(const Material& m, const Liquid& l, const Boundary& b) requires(wet)
-      : material_(m), walls_(b), bonds_(l) {}
-  scene_rows(const Material& m, const Boundary& b) requires(!wet) : material_(m), walls_(b) {}
+  scene_rows(const Material& m, const Liquid& l, const Boundary& b) requires(wet) : material_(m), walls_(b), bonds_(l) {
+    check_walls();
+  }
+  scene_rows(const Material& m, const Boundary& b) requires(!wet) : material_(m), walls_(b) { check_walls(); }
 
   const Material& material() const { return material_; }
   Material& material() { return material_; }
@@ -166,6 +167,9 @@ class scene_rows {
   }
 
  private:
+  void check_walls() const {
+    if constexpr (requires { validate(walls_); }) validate(walls_);
+  }
   template <class Grains, Host H>
   void expect_no_trouble(const contact_findings& found, const Grains& g, const pair_list& list,
                          const contact_clock& clock, const H& host) const {
@@ -228,9 +232,10 @@ class scene_rows {
 
   template <class Self, class Visit>
   static void for_each_wall_of(Self& self, const Visit& visit) {
-    constexpr auto count = std::tuple_size_v<std::remove_cvref_t<decltype(self.walls_.all)>>;
+    auto&& walls = self.walls_.parts();
+    constexpr auto count = std::tuple_size_v<std::remove_cvref_t<decltype(walls)>>;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (visit(std::get<I>(self.walls_.all), std::get<I>(self.wall_contacts_)), ...);
+      (visit(std::get<I>(walls), std::get<I>(self.wall_contacts_)), ...);
     }
     (std::make_index_sequence<count>{});
   }

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/boundary/drive.hpp>
-#include <pendular/core/none.hpp>
+#include <pendular/boundary/check.hpp>
 
-#include <concepts>
+#include <cstddef>
 #include <tuple>
 #include <type_traits>
 
 namespace pendular::boundary {
-
-/// Shape of a wall.
-template <class G>
-concept Geometry = std::copyable<G> && requires(const G geometry, const vector centre, const double radius) {
-  { geometry.meet(centre, radius) } -> std::convertible_to<meeting<double>>;
-};
 
 /// Marks a wall that grains share bridges with; the liquid wets it under the same contact angle.
 struct wettable {};
@@ -26,12 +19,8 @@ struct wall {
   static_assert(std::is_same_v<Wetting, none> || std::is_same_v<Wetting, wettable>,
                 "the last part of a wall is wettable{} or nothing (docs/reference/boundary.md)");
   static constexpr bool is_wettable = std::is_same_v<Wetting, wettable>;
-  static_assert(Geometry<Shape>,
-                "a wall's shape needs `template <Scalar T> meeting<T> meet(const Vec3<T>& centre, const T& radius) "
-                "const` (docs/reference/boundary.md)");
-  static_assert(Drive<Mover, Shape>,
-                "a wall's drive needs a `velocity`, or `velocity_at(point)`, `pivot()` and `approach_speed()`, and "
-                "`void move(shape, load, time_step)` (docs/reference/boundary.md)");
+  static_assert(check::geometry<Shape>);
+  static_assert(check::drive<Mover, Shape>);
   Shape shape;
   Mover drive;
   Material material;      // `none`: the material of the grains
@@ -77,11 +66,14 @@ wall(Shape, Mover, Material) -> wall<Shape, Mover, Material>;
 template <class Shape, class Mover, class Material, class Wetting>
 wall(Shape, Mover, Material, Wetting) -> wall<Shape, Mover, Material, Wetting>;
 
-/// All walls of a scene.
+/// A boundary that is a list of walls.
 template <class... Walls>
 struct walls {
   std::tuple<Walls...> all;
   explicit walls(Walls... each) : all(each...) {}
+
+  auto& parts() { return all; }
+  const auto& parts() const { return all; }
 };
 
 template <class... Walls>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/core/host.hpp>
+#include <pendular/core/never.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -14,8 +15,7 @@ namespace pendular::check {
 // A ladder as those of laws (law/check.hpp): true, or one sentence for the first clause that is broken.
 
 namespace detail {
-template <class>
-inline constexpr bool never_a_host = false;
+using namespace pendular::detail;
 
 template <class H>
 concept UpdatesCopies = requires(const H host, std::span<double> numbers, std::size_t width) {
@@ -48,18 +48,17 @@ concept KnowsRows = requires(const H host, std::span<const std::int64_t> ids, st
 template <class H>
 consteval bool is_host() {
   if constexpr (!std::copyable<H>) {
-    static_assert(detail::never_a_host<H>,
-                  "a host must be copyable: make it a handle of what the parts of a scene share "
-                  "(docs/reference/host.md)");
+    static_assert(detail::never<H>, "a host must be copyable: make it a handle of what the parts of a scene share "
+                                    "(docs/reference/host.md)");
   } else if constexpr (!detail::UpdatesCopies<H>) {
-    static_assert(detail::never_a_host<H>,
+    static_assert(detail::never<H>,
                   "a host needs `void update_copies(std::span<double> numbers, std::size_t width) const` "
                   "(docs/reference/host.md)");
   } else if constexpr (!detail::AsksAll<H>) {
-    static_assert(detail::never_a_host<H>, "a host needs `bool any(bool) const`, `double most(double) const` and `bool "
-                                           "leads() const` (docs/reference/host.md)");
+    static_assert(detail::never<H>, "a host needs `bool any(bool) const`, `double most(double) const` and `bool "
+                                    "leads() const` (docs/reference/host.md)");
   } else if constexpr (!detail::AddsUp<H>) {
-    static_assert(detail::never_a_host<H>,
+    static_assert(detail::never<H>,
                   "a host needs `void sum(std::span<reproducible_sum>) const` (docs/reference/host.md)");
   }
   return true;
@@ -72,17 +71,17 @@ template <class H>
 consteval bool is_distributing_host() {
   static_assert(host<H>);
   if constexpr (!detail::KeepsGrains<H>) {
-    static_assert(detail::never_a_host<H>,
+    static_assert(detail::never<H>,
                   "a host of a system says who keeps a grain: `bool keeps(const vector& position) const` "
                   "(docs/reference/host.md)");
   } else if constexpr (!detail::CarriesGrains<H>) {
     static_assert(
-        detail::never_a_host<H>,
+        detail::never<H>,
         "a host of a system carries grains: `std::size_t exchange(std::vector<parcel>&, double reach) const`, "
         "which answers how many are kept (docs/reference/host.md)");
   } else if constexpr (!detail::KnowsRows<H>) {
     static_assert(
-        detail::never_a_host<H>,
+        detail::never<H>,
         "a host of a system is told rows: `void know_rows(std::span<const std::int64_t> ids, std::size_t kept) "
         "const` (docs/reference/host.md)");
   }

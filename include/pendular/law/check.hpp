@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/never.hpp>
 #include <pendular/law/every_scalar.hpp>
 
 namespace pendular::check {
@@ -10,9 +11,6 @@ namespace pendular::check {
 
 namespace detail {
 using namespace pendular::detail;
-
-template <class L>
-inline constexpr bool never = false;
 }  // namespace detail
 
 template <class L>

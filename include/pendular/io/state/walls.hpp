@@ -11,6 +11,15 @@
 
 namespace pendular::io::detail {
 
+/// visit(number) for all that changes of a wall while it is used, but its work. A wall of one's own need not keep its load.
+template <class Wall, class Visit>
+void for_each_number_of_wall(Wall& wall, const Visit& visit) {
+  for_each_scalar<double>(wall.shape, visit);
+  for_each_scalar<double>(wall.drive, visit);
+  for_each_scalar<double>(wall.force, visit);
+  if constexpr (requires { wall.load; }) for_each_scalar<double>(wall.load, visit);
+}
+
 template <class System>
 void put_walls(checkpoint_writer& out, const System& s) {
   const auto view = s.view();
@@ -18,11 +27,7 @@ void put_walls(checkpoint_writer& out, const System& s) {
   s.for_each_wall([&](const auto& wall, const auto& contacts) {
     const std::string name = "wall." + std::to_string(index++);
     std::vector<double> state;
-    const auto keep = [&](const double& v) { state.push_back(v); };
-    for_each_scalar<double>(wall.shape, keep);
-    for_each_scalar<double>(wall.drive, keep);
-    for_each_scalar<double>(wall.force, keep);
-    for_each_scalar<double>(wall.load, keep);
+    for_each_number_of_wall(wall, [&](const double& v) { state.push_back(v); });
     state.push_back(wall.work);
     out.put(name, state);
     put_work(out, name, contacts);
@@ -36,19 +41,11 @@ void get_walls(const checkpoint_reader& in, System& s) {
   std::size_t index = 0;
   s.for_each_wall([&](auto& wall, auto& contacts) {
     std::size_t count = 1;
-    const auto add = [&](const double&) { ++count; };
-    for_each_scalar<double>(wall.shape, add);
-    for_each_scalar<double>(wall.drive, add);
-    for_each_scalar<double>(wall.force, add);
-    for_each_scalar<double>(wall.load, add);
+    for_each_number_of_wall(wall, [&](const double&) { ++count; });
     const std::string name = "wall." + std::to_string(index++);
     const auto state = in.get<std::vector<double>>(name, count);
     std::size_t k = 0;
-    const auto restore = [&](double& v) { v = state[k++]; };
-    for_each_scalar<double>(wall.shape, restore);
-    for_each_scalar<double>(wall.drive, restore);
-    for_each_scalar<double>(wall.force, restore);
-    for_each_scalar<double>(wall.load, restore);
+    for_each_number_of_wall(wall, [&](double& v) { v = state[k++]; });
     wall.work = state[k];
     get_work(in, name, contacts);
     if constexpr (requires { validate(wall.shape); }) validate(wall.shape);

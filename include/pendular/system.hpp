@@ -129,6 +129,16 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     });
   }
 
+  /// Another fluid, or other parameters of the same laws, from here on. Bridges keep their volumes; those that are beyond
+  /// their new rupture distance break. Errors: as at construction, or a limit that the scene would break; nothing has
+  /// changed then.
+  void change_liquid(const Liquid& next) requires(!std::is_same_v<Liquid, dry>) {
+    change([&] {
+      rows_.bridges().change_policies(next, view());
+      if (liquid_now().outgrows_list(near_.skin())) rebuild(true);
+    });
+  }
+
   /// What a source or sink does in one of its periods, now. Errors: as distribute_liquid, or of the source.
   template <Source S>
   void exchange(const S& source) requires(!std::is_same_v<Liquid, dry>) {

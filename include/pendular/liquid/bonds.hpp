@@ -261,6 +261,21 @@ class bonds {
     move(ledger::bond_of(p), to, ledger_.bonds()[p], p, gap, view);
   }
 
+  /// Other parameters of the same policies, from here on: what bridges store under them is work done on the liquid.
+  void change_policies(const Liquid& next, const pair_view& view) {
+    std::vector<double> before(view.rows(), 0.0);
+    view.for_each_row([&](std::size_t p) { before[p] = energy(p, view.gap(p), view); });
+    liquid_ = next;
+    idle_ = prepare(liquid_.law(), bridge<double>{0, 1e-3, 1, 1}, liquid_.substance());
+    for (std::size_t p = 0; p < view.rows(); ++p) refresh(p, view);
+    view.for_each_row([&](std::size_t p) {
+      if (!is_bonded(p)) return;
+      if (view.counts_here(p)) work_.add(energy(p, view.gap(p), view) - before[p]);
+      changed_.push_back({p, -1});  // its pull is another one, though its volume is not
+      made(p, view);
+    });
+  }
+
   /// Coefficients and thresholds of row p from its volume and from the films of its grains.
   void refresh(std::size_t p, const pair_view& view) {
     const bool real = !view.is_padding(p);
@@ -292,6 +307,7 @@ class bonds {
 
   /// To be called when a bridge has got all of its liquid: counts it if its laws do not claim to be valid for it.
   void made(std::size_t p, const pair_view& view) {
+    if (!view.counts_here(p)) return;
     const bridge<double> b = view.bridge_of(p, 0, ledger_.bonds()[p]);
     const auto leaves = [&](const validity& v) { return v.covers(b, liquid_.substance()) ? 0 : 1; };
     outside_.capillary_law += leaves(validity_of<typename Liquid::capillary_law>());

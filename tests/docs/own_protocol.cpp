@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program of docs/how-to/own_protocol.md.
 #include <pendular/pendular.hpp>
+#include <pendular/testing/role_kits.hpp>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 // [protocol]
 /// The film of a grain goes to its bonds in equal shares.
@@ -29,6 +31,12 @@ static_assert(pendular::FormationRule<early>);
 using namespace pendular;
 
 int main() {
+  // [kit]
+  for (const std::string& broken : testing::local_protocol_report(equal_shares{})) std::printf("%s\n", broken.c_str());
+  for (const std::string& broken : testing::formation_rule_report(early{})) std::printf("%s\n", broken.c_str());
+  // [/kit]
+  const bool sound =
+      testing::local_protocol_report(equal_shares{}).empty() && testing::formation_rule_report(early{}).empty();
   // [chain]
   constexpr double radius = 0.5e-3, volume = 0.01 * radius * radius * radius;
   pendular::system chain{material{normal::linear{1e3}},
@@ -48,5 +56,5 @@ int main() {
   const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
   const bool as_expected = chain.events().ruptures == 1 && near(book.bonds()[0] / volume, 1.5) &&
                            near(book.films()[rows[2]] / volume, 0.5) && near(book.total() / (2 * volume), 1);
-  return as_expected ? EXIT_SUCCESS : EXIT_FAILURE;
+  return sound && as_expected ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program of docs/how-to/own_source.md.
 #include <pendular/pendular.hpp>
+#include <pendular/testing/role_kits.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 // [source]
@@ -34,6 +36,12 @@ static_assert(pendular::Source<seepage>);
 using namespace pendular;
 
 int main() {
+  // [kit]
+  for (const std::string& broken : testing::source_report(seepage{.height = 1, .rate = 100})) {
+    std::printf("%s\n", broken.c_str());
+  }
+  // [/kit]
+  const bool sound = testing::source_report(seepage{.height = 1, .rate = 100}).empty();
   // [chain]
   constexpr double radius = 0.5e-3, volume = 0.01 * radius * radius * radius;
   pendular::system chain{material{normal::linear{1e3}},
@@ -60,5 +68,5 @@ int main() {
   const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
   const bool as_expected =
       near(left, std::exp(-0.1)) && near(left + lost, 1) && near(book.total() / 1e-12, left * 2 * volume / 1e-12 + 1);
-  return as_expected ? EXIT_SUCCESS : EXIT_FAILURE;
+  return sound && as_expected ? EXIT_SUCCESS : EXIT_FAILURE;
 }

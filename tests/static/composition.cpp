@@ -129,13 +129,24 @@ static_assert(std::is_same_v<with<protocol::grain_films>::formation_rule, format
 static_assert(with<protocol::gravity>::needs_gravity && !with<protocol::neighbours>::needs_gravity &&
               !water_and_laws::needs_gravity);
 
-// Every protocol is local, global or neither.
+// Every protocol is local, global or none.
+template <class P>
+inline constexpr bool is_protocol_or_none = Protocol<P> != std::is_same_v<P, none>;
 static_assert(boost::hana::unpack(protocol::all,
-                                  [](auto... p) { return (Protocol<typename decltype(p)::type> && ...); }));
+                                  [](auto... p) { return (is_protocol_or_none<typename decltype(p)::type> && ...); }));
 static_assert(LocalProtocol<protocol::neighbours> && LocalProtocol<protocol::grain_films> &&
               LocalProtocol<protocol::gravity>);
 static_assert(GlobalProtocol<protocol::homogeneous> && !LocalProtocol<protocol::homogeneous>);
 static_assert(!LocalProtocol<protocol::none> && !GlobalProtocol<protocol::none>);
+
+// One type says nobody in every role, as often and wherever it is written.
+static_assert(std::is_same_v<damping::none, none> && std::is_same_v<friction::none, none>);
+static_assert(std::is_same_v<protocol::none, none> && std::is_same_v<null_observer, none>);
+static_assert(std::is_same_v<material<friction::none, spring, damping::none>::damping_law, none>);
+static_assert(std::is_same_v<with<none, protocol::none>::protocol_type, none>);
+static_assert(std::is_same_v<with<protocol::none, protocol::gravity, none>::protocol_type, protocol::gravity>);
+static_assert(std::is_same_v<with<protocol::none>::formation_rule, formation::at_contact> &&
+              !with<protocol::none>::redistributes_locally && !with<protocol::none>::redistributes_globally);
 static_assert(with<protocol::homogeneous>::redistributes_globally &&
               !with<protocol::homogeneous>::redistributes_locally);
 static_assert(with<protocol::gravity>::redistributes_locally && !with<protocol::gravity>::redistributes_globally);
@@ -243,7 +254,7 @@ struct meddles {
   void operator()(wet_scene&) {}
 };
 static_assert(Observer<null_observer, wet_scene> && Observer<looks, wet_scene> && Observer<listens, wet_scene>);
-static_assert(!Observer<meddles, wet_scene> && !Observer<looks, dry_scene> && !Observer<none, wet_scene>);
+static_assert(!Observer<meddles, wet_scene> && !Observer<looks, dry_scene> && !Observer<double, wet_scene>);
 
 // A drive has one velocity or a field of them, and moves its shape.
 struct drive_twin {

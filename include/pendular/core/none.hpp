@@ -3,7 +3,7 @@
 
 namespace pendular {
 
-/// The null policy of every axis: it plays no role and leaves no trace in the composed type.
+/// The null policy of every role, whatever name it has there: it plays no role, whatever its place among the others.
 struct none {};
 
 }  // namespace pendular

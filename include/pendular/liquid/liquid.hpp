@@ -68,7 +68,7 @@ class liquid {
   using capillary_law = detail::player_t<detail::plays_capillary, Policies...>;
   using rupture_law = detail::player_t<detail::plays_rupture, Policies...>;
   using viscous_law = detail::player_t<detail::plays_viscous, Policies...>;
-  using protocol_type = detail::given_or<detail::player_t<detail::plays_protocol, Policies...>, protocol::none>;
+  using protocol_type = detail::player_t<detail::plays_protocol, Policies...>;  // or none
   using formation_rule = detail::given_or<
       detail::player_t<detail::plays_formation, Policies...>,
       std::conditional_t<GlobalProtocol<protocol_type>, formation::within_rupture_distance, formation::at_contact>>;
@@ -106,7 +106,7 @@ class liquid {
     return detail::player<detail::plays_viscous>(policies_);
   }
   const rupture_law& rupture() const { return detail::player<detail::plays_rupture>(policies_); }
-  protocol_type redistribution() const { return given<detail::plays_protocol, protocol_type>(); }
+  protocol_type redistribution() const { return detail::player<detail::plays_protocol>(policies_); }
   formation_rule formation() const { return given<detail::plays_formation, formation_rule>(); }
 
   /// visit(policy) in the order they were given.

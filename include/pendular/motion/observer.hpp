@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/core/expects.hpp>
+#include <pendular/core/none.hpp>
 #include <pendular/liquid/bridge_event.hpp>
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace pendular {
 
 /// Looks at nothing, and costs nothing.
-struct null_observer {};
+using null_observer = none;
 
 /// Is called with the system after every step, or after every `period` steps if it has one.
 template <class O, class System>

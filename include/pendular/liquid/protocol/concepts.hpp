@@ -36,8 +36,6 @@ concept GlobalProtocol = std::copyable<P> && requires(const P p, liquid_door_arc
 };
 
 template <class P>
-concept Protocol = LocalProtocol<P> || GlobalProtocol<P> || requires {
-  typename P::moves_nothing;
-};
+concept Protocol = LocalProtocol<P> || GlobalProtocol<P>;
 
 }  // namespace pendular

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/none.hpp>
+
 namespace pendular::protocol {
-
 /// Liquid of a broken bond stays on its grains and is not used again.
-struct none {
-  using moves_nothing = void;
-};
-
+using none = pendular::none;
 }  // namespace pendular::protocol

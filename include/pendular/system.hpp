@@ -5,13 +5,13 @@
 #include <pendular/boundary/luggage.hpp>
 #include <pendular/core/extremes.hpp>
 #include <pendular/core/host.hpp>
-#include <pendular/core/host_check.hpp>
 #include <pendular/liquid/protocol/homogeneous.hpp>
 #include <pendular/motion/advance.hpp>
 #include <pendular/motion/observer.hpp>
 #include <pendular/motion/skin.hpp>
 #include <pendular/motion/trouble.hpp>
 #include <pendular/scene_state.hpp>
+#include <pendular/space/copies.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>
@@ -73,11 +73,11 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// expect_limits(); nothing has changed then.
   void remove(std::span<const std::int64_t> ids) {
     for (const std::int64_t id : ids) expect_there(id);
-    std::vector<char> gone = marked(ids);
+    std::vector<char> gone = grains_.marked(ids);
     const auto left = host().any(std::count(gone.begin(), gone.end(), 0) > 0) ? 1.0 : 0.0;
     expects(left > 0, "the number of grains that are left", left, "at least 1", "docs/reference/grains.md");
     change([&] {
-      gone = marked(ids);  // start() may have given the grains other rows
+      gone = grains_.marked(ids);  // start() may have given the grains other rows
       if constexpr (wet) liquid_now().take_out(gone);
       for (const std::int64_t id : ids) {
         if (driven_.is_driven(id)) driven_.remove(id);
@@ -230,14 +230,14 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     driven_.remember(grains_);
     near_.expire(predict(grains_, integrator_, near_.listed()));
     near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, false, true, near_.listed()));
-    update_copies();
+    update_copies(grains_, host());
   }
   void correct_all(followed_by what) {
     driven_.remember(grains_);
     near_.expire(correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, true, what, near_.listed()));
     const bool predicted = what == followed_by::next_step;
     near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, true, predicted, near_.listed()));
-    update_copies();
+    update_copies(grains_, host());
   }
 
   /// All forces of a moving scene, and what bridges do that break or may form.
@@ -251,7 +251,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     const contact_findings found = rows_.renew(grains_, pairs(), clock_of(false), host());
     if constexpr (wet) settle_if(found);
     correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, false, followed_by::nothing, near_.listed());
-    update_copies();
+    update_copies(grains_, host());
   }
 
   /// What changes a standing scene from outside happens as a whole or not at all.
@@ -298,47 +298,17 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
 
   /// Every grain to its keeper, with copies of those that are near, and all contacts with what they remember.
   void exchange_and_list(bool standing, double range, double skin, std::span<const char> gone) {
-    static_assert(check::distributing_host<H>);
-    const std::size_t listed = pairs().grains(), kept = listed - grains_.copies();
-    luggage<rows_type, grains_type> bags(rows_, grains_);
-    auto parcels = bags.pack(pairs(), view(), [&](std::size_t row) {
-      const bool here = row < listed ? row < kept : host().keeps(grains_.template get<column::position>()[row]);
-      return here && (gone.empty() || gone[row] == 0);
-    });
     const double largest = extremes_of(grains_.template get<column::radius>(), host()).largest;
-    const std::size_t kept_now = host().exchange(parcels, 2 * largest + range);
-    bags.unpack_grains(parcels, kept_now);
+    luggage<rows_type, grains_type> bags(rows_, grains_);
+    bags.exchange(pairs(), view(), host(), 2 * largest + range, gone);
     near_.forget();
     list_anew(standing, range, skin, {});
     bags.unpack_contacts(pairs(), view());
     host().know_rows(grains_.template get<column::id>(), grains_.kept());
   }
 
-  /// What moves of the copies, from their keepers.
-  void update_copies() {
-    if constexpr (is_distributed<H>) {
-      update_rows<grain_row::place>();
-      update_rows<grain_row::motion>();
-      if constexpr (grains_type::rotate) update_rows<grain_row::spin>();
-    }
-  }
-  template <class Row>
-  void update_rows() {
-    constexpr std::size_t width = sizeof(Row) / sizeof(double);
-    const std::span<Row> rows = grains_.template rows<Row>();
-    host().update_copies({reinterpret_cast<double*>(rows.data()), width * rows.size()}, width);
-  }
-
   void expect_there(std::int64_t id) const {
     if (!host().any(grains_.has_id(id))) grains_.row_of(id);
-  }
-  /// 1 for the rows of those of these grains that are here.
-  std::vector<char> marked(std::span<const std::int64_t> ids) const {
-    std::vector<char> marks(grains_.size(), 0);
-    for (const std::int64_t id : ids) {
-      if (grains_.has_id(id)) marks[grains_.row_of(id)] = 1;
-    }
-    return marks;
   }
 
   // The liquid --------------------------------------------------------------------------------------------------------

@@ -63,38 +63,17 @@ class luggage {
  public:
   luggage(Rows& rows, Grains& grains) : rows_(rows), grains_(grains) {}
 
-  /// Of the grains for which `wanted(row)`.
-  template <class Wanted>
-  std::vector<parcel> pack(const pair_list& list, const pair_view& view, const Wanted& wanted) {
-    find_walls();
-    if constexpr (wet) volumes_before_ = rows_.bridges().volumes_before();
-    std::vector<parcel> parcels;
-    for (std::size_t row = 0; row < grains_.size(); ++row) {
-      if (!wanted(row)) continue;
-      parcels.push_back({view.id[row], view.position[row], view.radius[row], {}});
-      numbers_ = &parcels.back().numbers;
-      pack_grain(row);
-      pack_contacts(row, list, view);
-    }
-    return parcels;
-  }
-
-  /// The grains themselves and their films; the first `kept` are kept here. Contacts follow when they are listed.
-  void unpack_grains(const std::vector<parcel>& parcels, std::size_t kept) {
-    std::vector<std::int64_t> ids;
-    for (const parcel& p : parcels) ids.push_back(p.id);
-    grains_.restore(ids, grains_.next_id());
-    grains_.mark_copies(parcels.size() - kept);
-    rows_.forget_rows(parcels.size());
-    unread_.clear();
-    for (std::size_t row = 0; row < parcels.size(); ++row) {
-      detail::unpacking in(parcels[row].numbers);
-      Grains::for_each_column([&](auto column) {
-        detail::for_each_carried(grains_.template get<decltype(column)>()[row], [&](double& v) { v = in.next(); });
-      });
-      if constexpr (wet) rows_.bridges().restore_film(row, in.next());
-      if (row < kept) unread_.push_back({ids[row], in});
-    }
+  /// Every grain goes to its keeper, and copies of those within `reach`, m, of a kept one come; grains that are new are
+  /// everywhere, and grains marked as gone nowhere. Their contacts follow when they are listed.
+  template <DistributingHost H>
+  void exchange(const pair_list& list, const pair_view& view, const H& host, double reach, std::span<const char> gone) {
+    const std::size_t listed = list.grains(), kept = listed - grains_.copies();
+    auto parcels = pack(list, view, [&](std::size_t row) {
+      const bool here = row < listed ? row < kept : host.keeps(view.position[row]);
+      return here && (gone.empty() || gone[row] == 0);
+    });
+    const std::size_t kept_now = host.exchange(parcels, reach);
+    unpack_grains(parcels, kept_now);
   }
 
   /// What the contacts of the kept grains had. Errors: run_error for a bridge whose pair is not listed.
@@ -116,6 +95,40 @@ class luggage {
   }
 
  private:
+  /// Of the grains for which `wanted(row)`.
+  template <class Wanted>
+  std::vector<parcel> pack(const pair_list& list, const pair_view& view, const Wanted& wanted) {
+    find_walls();
+    if constexpr (wet) volumes_before_ = rows_.bridges().volumes_before();
+    std::vector<parcel> parcels;
+    for (std::size_t row = 0; row < grains_.size(); ++row) {
+      if (!wanted(row)) continue;
+      parcels.push_back({view.id[row], view.position[row], view.radius[row], {}});
+      numbers_ = &parcels.back().numbers;
+      pack_grain(row);
+      pack_contacts(row, list, view);
+    }
+    return parcels;
+  }
+
+  /// The grains themselves and their films; the first `kept` are kept here.
+  void unpack_grains(const std::vector<parcel>& parcels, std::size_t kept) {
+    std::vector<std::int64_t> ids;
+    for (const parcel& p : parcels) ids.push_back(p.id);
+    grains_.restore(ids, grains_.next_id());
+    grains_.mark_copies(parcels.size() - kept);
+    rows_.forget_rows(parcels.size());
+    unread_.clear();
+    for (std::size_t row = 0; row < parcels.size(); ++row) {
+      detail::unpacking in(parcels[row].numbers);
+      Grains::for_each_column([&](auto column) {
+        detail::for_each_carried(grains_.template get<decltype(column)>()[row], [&](double& v) { v = in.next(); });
+      });
+      if constexpr (wet) rows_.bridges().restore_film(row, in.next());
+      if (row < kept) unread_.push_back({ids[row], in});
+    }
+  }
+
   void pack_grain(std::size_t row) {
     Grains::for_each_column([&](auto column) {
       auto value = grains_.template get<decltype(column)>()[row];

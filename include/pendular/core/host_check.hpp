@@ -69,8 +69,9 @@ inline constexpr bool host = is_host<H>();
 
 template <class H>
 consteval bool is_distributing_host() {
-  static_assert(host<H>);
-  if constexpr (!detail::KeepsGrains<H>) {
+  if constexpr (!Host<H>) {
+    static_assert(host<H>);
+  } else if constexpr (!detail::KeepsGrains<H>) {
     static_assert(detail::never<H>,
                   "a host of a system says who keeps a grain: `bool keeps(const vector& position) const` "
                   "(docs/reference/host.md)");

@@ -3,6 +3,7 @@
 
 #include <pendular/core/expects.hpp>
 #include <pendular/core/host.hpp>
+#include <pendular/core/host_check.hpp>
 
 #include <optional>
 
@@ -17,8 +18,9 @@ struct run_options {
 };
 
 /// The same for one part of a scene: run_on{host}, or run_on{host, {.skin = 0.2}}.
-template <Host H>
+template <class H>
 struct run_on : run_options {
+  static_assert(check::distributing_host<H>);
   H host;
   explicit run_on(const H& h, const run_options& numbers = {}) : run_options(numbers), host(h) {}
 };

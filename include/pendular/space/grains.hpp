@@ -246,6 +246,15 @@ class grains {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   }
 
+  /// 1 for the rows of those of these grains that are here.
+  std::vector<char> marked(std::span<const std::int64_t> ids) const {
+    std::vector<char> marks(size(), 0);
+    for (const std::int64_t id : ids) {
+      if (has_id(id)) marks[row_of(id)] = 1;
+    }
+    return marks;
+  }
+
   /// Row of one grain. Errors: input_error if there is none of this id.
   std::size_t row_of(std::int64_t id) const {
     const auto ids = get<column::id>();

@@ -51,8 +51,7 @@ class neighbourhood {
       if (gone.empty() || gone[row] == 0) kept.push_back(row);
     }
     if (kept.size() < g.size()) g.permute(kept);
-    const graded_grid grid(g.template get<column::position>(), g.template get<column::radius>(), range,
-                           g.kept());
+    const graded_grid grid(g.template get<column::position>(), g.template get<column::radius>(), range, g.kept());
     const auto order = grid.order(g.template get<column::id>());
     g.permute(order);
     origins from;

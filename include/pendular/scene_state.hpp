@@ -35,6 +35,7 @@ class scene_state {
   using grains_type = grains<Material::has_friction, Material::counts_contacts, Tags...>;
   using contacts_type = typename rows_type::contacts_type;
   static constexpr bool wet = rows_type::wet;
+  static constexpr bool is_part = is_distributed<H>;
 
   scene_state(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
               const options_type& options) requires(!std::is_same_v<Liquid, dry>)
@@ -86,6 +87,10 @@ class scene_state {
 
   /// For observers. Errors: input_error if forces are not known yet.
   void expect_evaluated(std::string_view who) const {
+    static_assert(
+        !is_distributed<H>,
+        "observers look at a scene in one piece: of a part, add up the rows that `view().counts_here(row)` says "
+        "and the grains before `particles().kept()` (docs/reference/host.md)");
     if (started_) return;
     throw input_error(std::string(who) +
                       " looks at forces, which have not been evaluated since grains were added: call "

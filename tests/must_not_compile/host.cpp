@@ -7,10 +7,14 @@
 // expect 6: a host of a system carries grains
 // expect 7: a host of a system is told rows
 // expect 8: what a protocol's `settle` answers is sent to other parts of the scene and must be trivially copyable
+// expect 9: observers look at a scene in one piece
+// expect 10: a checkpoint keeps a scene in one piece, not a part of it
 #include <pendular/core/host_check.hpp>
+#include <pendular/io/system_state.hpp>
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/rupture/lian.hpp>
+#include <pendular/observe/coordination.hpp>
 #include <pendular/system.hpp>
 #include <pendular/testing/host_archetypes.hpp>
 
@@ -56,10 +60,16 @@ void run(const H& host) {
                      liquid{fluid::water(), capillary::richefeu{}, rupture::lian{}, by_lot{}}, boundary::walls{},
                      velocity_verlet{1e-6}, run_on{host}};
   s.run(1);
+#if PENDULAR_MISTAKE == 9
+  (void)observe::coordination_of(s);
+#elif PENDULAR_MISTAKE == 10
+  io::checkpoint_writer out("checkpoint");
+  io::save(out, s);
+#endif
 }
 
 int main() {
-#if PENDULAR_MISTAKE == 0 || PENDULAR_MISTAKE == 8
+#if PENDULAR_MISTAKE == 0 || PENDULAR_MISTAKE >= 8
   run(mine(0));
 #endif
 }

@@ -31,6 +31,7 @@ std::string composition() {
 /// is resumed take the same steps to the last bit.
 template <class System>
 void save(checkpoint_writer& out, const System& s) {
+  static_assert(!System::is_part, "a checkpoint keeps a scene in one piece, not a part of it (docs/reference/host.md)");
   const auto& g = s.particles();
   const auto view = s.view();
   out.put("system.composition", std::string_view{detail::composition<System>()});
@@ -113,6 +114,7 @@ std::vector<std::string> load(const checkpoint_reader& in, System& s, winner win
   typename System::rows_type;
 }
 {
+  static_assert(!System::is_part, "a checkpoint is read into a scene in one piece (docs/reference/host.md)");
   pendular::expects(s.particles().size() == 0, "the number of grains of a system into which a checkpoint is read",
                     static_cast<double>(s.particles().size()), "0", "docs/how-to/resume.md");
   System loaded = s;

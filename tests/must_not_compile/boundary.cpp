@@ -10,8 +10,11 @@
 // expect 9: the members of a wall must have the types of those of boundary::wall
 // expect 10: a boundary must be copyable
 // expect 11: a wall must be copyable
+#include <pendular/boundary/wall.hpp>
+#if !defined(PENDULAR_MISTAKE)
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/system.hpp>
+#endif
 
 #include <memory>
 #include <tuple>

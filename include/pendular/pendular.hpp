@@ -3,7 +3,7 @@
 
 // Everything, for the impatient. Library headers never include this one.
 #include <pendular/boundary/cylinder.hpp>
-#include <pendular/core/host_check.hpp>
+#include <pendular/boundary/turning.hpp>
 #include <pendular/law/all.hpp>
 #include <pendular/law/check.hpp>
 #include <pendular/liquid/check.hpp>
@@ -23,6 +23,7 @@
 #include <pendular/observe/probability_density.hpp>
 #include <pendular/observe/solid_fraction.hpp>
 #include <pendular/observe/stress.hpp>
+#include <pendular/parts.hpp>
 #include <pendular/scene/cohesive_sample.hpp>
 #include <pendular/scene/direct_shear.hpp>
 #include <pendular/scene/simple_compression.hpp>

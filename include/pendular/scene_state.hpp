@@ -21,6 +21,20 @@
 
 namespace pendular {
 
+template <class H>
+struct run_on;
+
+namespace detail {
+template <class H>
+struct options_on {
+  using type = run_on<H>;
+};
+template <>
+struct options_on<alone> {
+  using type = run_options;
+};
+}  // namespace detail
+
 /// What a scene is, and how it is looked at: grains, the rows of their pairs and walls, list, integrator and clock. A system
 /// is this and moves it.
 template <class Material, class Liquid, class Boundary, class Integration, Host H, GrainTag... Tags>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pendular/boundary/liquid_acts.hpp>
-#include <pendular/boundary/luggage.hpp>
 #include <pendular/core/extremes.hpp>
 #include <pendular/core/host.hpp>
 #include <pendular/liquid/protocol/homogeneous.hpp>
@@ -11,7 +10,6 @@
 #include <pendular/motion/skin.hpp>
 #include <pendular/motion/trouble.hpp>
 #include <pendular/scene_state.hpp>
-#include <pendular/space/copies.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>
@@ -230,14 +228,14 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     driven_.remember(grains_);
     near_.expire(predict(grains_, integrator_, near_.listed()));
     near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, false, true, near_.listed()));
-    update_copies(grains_, host());
+    if constexpr (is_distributed<H>) update_copies(grains_, host());
   }
   void correct_all(followed_by what) {
     driven_.remember(grains_);
     near_.expire(correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, true, what, near_.listed()));
     const bool predicted = what == followed_by::next_step;
     near_.expire(driven_.impose(grains_, integrator_.gravity, integrator_.time_step, true, predicted, near_.listed()));
-    update_copies(grains_, host());
+    if constexpr (is_distributed<H>) update_copies(grains_, host());
   }
 
   /// All forces of a moving scene, and what bridges do that break or may form.
@@ -251,7 +249,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     const contact_findings found = rows_.renew(grains_, pairs(), clock_of(false), host());
     if constexpr (wet) settle_if(found);
     correct(grains_, pairs(), contacts(), rows_.loads(), integrator_, false, followed_by::nothing, near_.listed());
-    update_copies(grains_, host());
+    if constexpr (is_distributed<H>) update_copies(grains_, host());
   }
 
   /// What changes a standing scene from outside happens as a whole or not at all.
@@ -299,7 +297,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// Every grain to its keeper, with copies of those that are near, and all contacts with what they remember.
   void exchange_and_list(bool standing, double range, double skin, std::span<const char> gone) {
     const double largest = extremes_of(grains_.template get<column::radius>(), host()).largest;
-    luggage<rows_type, grains_type> bags(rows_, grains_);
+    auto bags = luggage_of(rows_, grains_);  // in parts.hpp, which whoever has a host has included
     bags.exchange(pairs(), view(), host(), 2 * largest + range, gone);
     near_.forget();
     list_anew(standing, range, skin, {});
@@ -363,18 +361,5 @@ system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integr
 template <class... M, class Boundary, class Integration, class... Tags>
 system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
     -> system<material<M...>, dry, Boundary, Integration, alone, Tags...>;
-
-template <class... M, class... L, class Boundary, class Integration, class H>
-system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, const run_on<H>&)
-    -> system<material<M...>, liquid<L...>, Boundary, Integration, H>;
-template <class... M, class Boundary, class Integration, class H>
-system(const material<M...>&, const Boundary&, const Integration&, const run_on<H>&)
-    -> system<material<M...>, dry, Boundary, Integration, H>;
-template <class... M, class... L, class Boundary, class Integration, class... Tags, class H>
-system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
-    -> system<material<M...>, liquid<L...>, Boundary, Integration, H, Tags...>;
-template <class... M, class Boundary, class Integration, class... Tags, class H>
-system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
-    -> system<material<M...>, dry, Boundary, Integration, H, Tags...>;
 
 }  // namespace pendular

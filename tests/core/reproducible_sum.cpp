@@ -120,10 +120,10 @@ TEST_CASE("a certain sum is the exact one or says nothing, and seldom says nothi
       pendular::certain_sum sum;
       for (const double v : values) sum.add(pendular::detail::four(v));
       for (int k = 0; k < 4; ++k) {
-        const auto value = sum.value(k);
-        if (value) CHECK(*value == exact(values));
+        const double value = sum.value(k);
+        if (!std::isnan(value)) CHECK(value == exact(values));
         const bool ordinary = seed % 2 != 0 && lowest > -1000;
-        asked += ordinary, silent += ordinary && !value;
+        asked += ordinary, silent += ordinary && std::isnan(value);
       }
     }
   }
@@ -133,9 +133,9 @@ TEST_CASE("a certain sum is the exact one or says nothing, and seldom says nothi
 TEST_CASE("a certain sum says nothing where it could be one of two numbers") {
   pendular::certain_sum half;
   for (const double v : {1.0, 0x1p-53}) half.add(pendular::detail::four(v));
-  CHECK(!half.value(0));
+  CHECK(std::isnan(half.value(0)));
   for (const double v : {0x1p-120, 0x1p-140}) half.add(pendular::detail::four(v));
-  CHECK(!half.value(2));
+  CHECK(std::isnan(half.value(2)));
   pendular::certain_sum more;
   for (const double v : {1.0, 0x1.01p-53}) more.add(pendular::detail::four(v));
   CHECK(more.value(3) == 1 + 0x1p-52);
@@ -143,5 +143,5 @@ TEST_CASE("a certain sum says nothing where it could be one of two numbers") {
   CHECK(nothing.value(0) == 0.0);
   infinite.add(pendular::detail::four(HUGE_VAL));
   infinite.add(pendular::detail::four(-HUGE_VAL));
-  CHECK(!infinite.value(0));
+  CHECK(std::isnan(infinite.value(0)));
 }

@@ -15,7 +15,7 @@
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/rupture/lian.hpp>
 #include <pendular/observe/coordination.hpp>
-#include <pendular/system.hpp>
+#include <pendular/parts.hpp>
 #include <pendular/testing/host_archetypes.hpp>
 
 #include <vector>

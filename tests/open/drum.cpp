@@ -3,6 +3,7 @@
 #include "../catch.hpp"
 
 #include <pendular/boundary/cylinder.hpp>
+#include <pendular/boundary/turning.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
 #include <pendular/law/normal/linear.hpp>

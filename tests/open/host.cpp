@@ -9,7 +9,7 @@
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/law/rupture/lian.hpp>
 #include <pendular/liquid/protocol/grain_films.hpp>
-#include <pendular/system.hpp>
+#include <pendular/parts.hpp>
 
 #include <cmath>
 #include <map>

@@ -7,6 +7,7 @@
 
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/liquid/protocol/one_of.hpp>
+#include <pendular/parts.hpp>
 
 #include <cmath>
 #include <cstdint>

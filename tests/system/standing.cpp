@@ -3,6 +3,7 @@
 // on with the same bits.
 #include "../physics/scenes.hpp"
 
+#include <pendular/boundary/turning.hpp>
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
 #include <pendular/law/capillary/bagheri.hpp>

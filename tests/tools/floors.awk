@@ -15,11 +15,12 @@ BEGIN {
   may_include("observe", floors_0_to_3)
   may_include("scene_state.hpp", floors_0_to_3)
   may_include("system.hpp", floors_0_to_3 " scene_state.hpp")
+  may_include("parts.hpp", floors_0_to_3 " scene_state.hpp system.hpp")
   may_include("scene", floors_0_to_3 " system.hpp scene io")
   may_include("io", floors_0_to_3 " io")
   may_include("lammps", floors_0_to_3 " lammps")
   may_include("testing", floors_0_to_3 " testing")
-  may_include("pendular.hpp", floors_0_to_3 " system.hpp scene io")
+  may_include("pendular.hpp", floors_0_to_3 " system.hpp parts.hpp scene io")
   known["version.hpp"] = 1
 }
 

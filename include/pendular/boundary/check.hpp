@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/boundary/concepts.hpp>
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/lanes.hpp>
 #include <pendular/core/never.hpp>
 
@@ -36,7 +37,7 @@ concept IsMadeOfSomething = requires(const W wall) {
 
 template <class G>
 consteval bool is_geometry() {
-  if constexpr (!std::copyable<G>) {
+  if constexpr (!Copyable<G>) {
     static_assert(detail::never<G>, "a wall's shape must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::meeting_t<G, double>; }) {
@@ -58,7 +59,7 @@ consteval bool is_geometry() {
 
 template <class D, class Shape>
 consteval bool is_drive() {
-  if constexpr (!std::copyable<D>) {
+  if constexpr (!Copyable<D>) {
     static_assert(detail::never<D>, "a wall's drive must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!boundary::HasOneVelocity<D> && !boundary::HasVelocityField<D>) {
@@ -90,7 +91,7 @@ inline constexpr bool drive = is_drive<D, Shape>();
 
 template <class W>
 consteval bool is_wall() {
-  if constexpr (!std::copyable<W>) {
+  if constexpr (!Copyable<W>) {
     static_assert(detail::never<W>, "a wall must be copyable (docs/reference/concepts.md)");
   } else if constexpr (!requires(const W w) { w.shape, w.drive; }) {
     static_assert(detail::never<W>,
@@ -126,7 +127,7 @@ consteval bool are_walls(std::type_identity<std::tuple<Parts...>>) {
 
 template <class B>
 consteval bool is_boundary() {
-  if constexpr (!std::copyable<B>) {
+  if constexpr (!Copyable<B>) {
     static_assert(detail::never<B>, "a boundary must be copyable (docs/reference/concepts.md)");
   } else if constexpr (!boundary::detail::HasParts<B>) {
     static_assert(detail::never<B>,

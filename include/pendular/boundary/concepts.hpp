@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/boundary/drive.hpp>
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/none.hpp>
 
 #include <concepts>
@@ -13,14 +14,14 @@ namespace pendular::boundary {
 
 /// Shape of a wall.
 template <class G>
-concept Geometry = std::copyable<G> && requires(const G geometry, const vector centre, const double radius) {
+concept Geometry = Copyable<G> && requires(const G geometry, const vector centre, const double radius) {
   { geometry.meet(centre, radius) } -> std::convertible_to<meeting<double>>;
 };
 
 /// What a system asks of a wall: where it meets a grain, what moves it, what it is made of, whether it carries bridges, and
 /// what it is told. `wall` is one; a wall of one's own may know more.
 template <class W>
-concept Wall = std::copyable<W> && requires(W wall, const W seen, const wall_load& load) {
+concept Wall = Copyable<W> && requires(W wall, const W seen, const wall_load& load) {
   requires Geometry<std::remove_cvref_t<decltype(seen.shape)>>;
   requires HasOneVelocity<std::remove_cvref_t<decltype(seen.drive)>> ||
       HasVelocityField<std::remove_cvref_t<decltype(seen.drive)>>;
@@ -77,7 +78,7 @@ inline constexpr bool parts_are_its_own = stay<parts_t<B>>&& stay<seen_parts_t<B
 /// All walls of a scene: `parts()`, of a boundary that is const and of one that is not, is a tuple of them, kept by the
 /// boundary, or made of references to them.
 template <class B>
-concept Boundary = std::copyable<B> && detail::HasParts<B> && requires {
+concept Boundary = Copyable<B> && detail::HasParts<B> && requires {
   requires detail::parts_in<detail::parts_t<B>>::are_walls;
   requires detail::parts_are_its_own<B>;
 };

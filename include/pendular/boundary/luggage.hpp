@@ -250,4 +250,9 @@ class luggage {
   std::vector<std::pair<std::int64_t, detail::unpacking>> unread_;
 };
 
+template <class Rows, class Grains>
+luggage<Rows, Grains> luggage_of(Rows& rows, Grains& grains) {
+  return {rows, grains};
+}
+
 }  // namespace pendular

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -176,7 +175,8 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
   template <class Grains>
   wall_load load(const Grains& g, const Wall& w) const {
     if constexpr (HasOneVelocity<decltype(w.drive)>) {
-      if (const auto force = certain_force()) return {*force};
+      const vector force = certain_force();
+      if (force.x == force.x && force.y == force.y && force.z == force.z) return {force};
     }
     std::array<reproducible_sum, load_sum_type::width> sums;
     add_load(g, w, load_sum_type(sums));
@@ -198,12 +198,11 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
   }
 
  private:
-  std::optional<vector> certain_force() const {
+  /// With no number for what is not certain.
+  vector certain_force() const {
     certain_sum sum;
     for (std::size_t k = 0; k < count_; ++k) sum.add(pendular::detail::load_row(push_of(this->actions()[k])));
-    const auto x = sum.value(0), y = sum.value(1), z = sum.value(2);
-    if (!x || !y || !z) return {};
-    return vector{-*x, -*y, -*z};
+    return {-sum.value(0), -sum.value(1), -sum.value(2)};
   }
 
   const Bonds& own_bonds(const Bonds& bonds) const requires(carries_bridges) { return bonds; }

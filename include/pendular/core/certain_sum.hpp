@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 namespace pendular {
 
@@ -25,18 +24,19 @@ class certain_sum {
     ++count_;
   }
 
-  /// One of the four; nothing if it is too near to the middle of two numbers.
-  std::optional<double> value(int k) const {
+  /// One of the four; no number if it is too near to the middle of two numbers.
+  double value(int k) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const double sum = sum_[k], lost = lost_[k];
-    if (doubt_[k] == 0) return sum;        // nothing was lost
-    if (!(doubt_[k] > 1e-250)) return {};  // what follows would be subnormal
+    if (doubt_[k] == 0) return sum;             // nothing was lost
+    if (!(doubt_[k] > 1e-250)) return unknown;  // what follows would be subnormal
     const double rounded = sum + lost, part = rounded - sum;
     const double rest = (sum - (rounded - part)) + (lost - part);
     // What adding up n losses loses, and twice that.
     const double error = static_cast<double>(count_) * std::numeric_limits<double>::epsilon() * doubt_[k];
     const double up = std::nextafter(rounded, HUGE_VAL) - rounded, down = rounded - std::nextafter(rounded, -HUGE_VAL);
     if (std::abs(rest) + error < 0.499 * std::min(up, down)) return rounded;
-    return {};
+    return unknown;
   }
 
  private:

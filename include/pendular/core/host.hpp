@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/expects.hpp>
 #include <pendular/core/reproducible_sum.hpp>
 #include <pendular/core/vec.hpp>
@@ -22,8 +23,8 @@ namespace pendular {
 
 /// What the parts of a scene tell each other. A host is a handle that is copied.
 template <class H>
-concept Host = std::copyable<H> && requires(const H host, std::span<double> numbers, std::size_t width, bool flag,
-                                            std::span<reproducible_sum> sums, double value) {
+concept Host = Copyable<H> && requires(const H host, std::span<double> numbers, std::size_t width, bool flag,
+                                       std::span<reproducible_sum> sums, double value) {
   // Of every copy, `width` numbers in its row become those of its keeper.
   host.update_copies(numbers, width);
   // Whether it is so on any part.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/host.hpp>
 #include <pendular/core/never.hpp>
 
@@ -47,7 +48,7 @@ concept KnowsRows = requires(const H host, std::span<const std::int64_t> ids, st
 
 template <class H>
 consteval bool is_host() {
-  if constexpr (!std::copyable<H>) {
+  if constexpr (!Copyable<H>) {
     static_assert(detail::never<H>, "a host must be copyable: make it a handle of what the parts of a scene share "
                                     "(docs/reference/host.md)");
   } else if constexpr (!detail::UpdatesCopies<H>) {

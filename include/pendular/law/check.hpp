@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/never.hpp>
 #include <pendular/law/every_scalar.hpp>
 
@@ -15,7 +16,7 @@ using namespace pendular::detail;
 
 template <class L>
 consteval bool is_normal_law() {
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a normal law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::repulsion_t<L, double>; }) {
@@ -37,7 +38,7 @@ template <class L>
 consteval bool is_damping_law() {
   constexpr bool takes_stiffness = requires { typename detail::resistance_t<L, double>; };
   constexpr bool takes_elastic = requires { typename detail::resistance_beside_t<L, double>; };
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a damping law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!takes_stiffness && !takes_elastic) {
@@ -59,7 +60,7 @@ consteval bool is_damping_law() {
 
 template <class L>
 consteval bool is_friction_law() {
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a friction law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::traction_t<L, double>; }) {
@@ -81,7 +82,7 @@ template <class L>
 consteval bool is_capillary_law() {
   constexpr bool prepares = requires { typename detail::coefficients_in_t<L, double>; };
   constexpr bool attracts = requires { typename detail::simple_attraction_t<L, double>; };
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a capillary law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!CapillaryLaw<L> && prepares) {
@@ -105,7 +106,7 @@ consteval bool is_capillary_law() {
 
 template <class L>
 consteval bool is_rupture_law() {
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a rupture law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::distance_t<L, double>; }) {
@@ -124,7 +125,7 @@ consteval bool is_rupture_law() {
 
 template <class L>
 consteval bool is_viscous_bridge_law() {
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a viscous bridge law must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::bridge_resistance_t<L, double>; }) {
@@ -143,7 +144,7 @@ consteval bool is_viscous_bridge_law() {
 
 template <class L>
 consteval bool is_mean_radius() {
-  if constexpr (!std::copyable<L>) {
+  if constexpr (!Copyable<L>) {
     static_assert(detail::never<L>, "a mean radius must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires { typename detail::mean_radius_t<L, double>; }) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/law/inputs.hpp>
 
 #include <concepts>
@@ -128,32 +129,32 @@ concept PreparesDashpot =
 
 /// Elastic push, N, at least 0, zero out of contact.
 template <class L>
-concept NormalLaw = std::copyable<L> && detail::Repels<L, double>;
+concept NormalLaw = Copyable<L> && detail::Repels<L, double>;
 
 /// Signed push, N, that opposes the closing speed, zero out of contact, from the tangent stiffness of the normal law or
 /// from its push as well.
 template <class L>
-concept DampingLaw = std::copyable<L> &&(detail::Resists<L, double> || detail::ResistsBeside<L, double>);
+concept DampingLaw = Copyable<L> &&(detail::Resists<L, double> || detail::ResistsBeside<L, double>);
 
 /// Force on grain i, N, opposing the slip, never longer than the friction coefficient times the normal force.
 template <class L>
-concept FrictionLaw = std::copyable<L> && detail::Rubs<L, double>;
+concept FrictionLaw = Copyable<L> && detail::Rubs<L, double>;
 
 /// Pull, N, at least 0, the same from both sides of gap = 0.
 template <class L>
-concept CapillaryLaw = std::copyable<L> &&(detail::Attracts<L, double> || detail::Prepares<L, double>);
+concept CapillaryLaw = Copyable<L> &&(detail::Attracts<L, double> || detail::Prepares<L, double>);
 
 /// One radius for two, m, of which a capillary law may be a template.
 template <class L>
-concept MeanRadius = std::copyable<L> && detail::Averages<L, double>;
+concept MeanRadius = Copyable<L> && detail::Averages<L, double>;
 
 /// Gap at which a bridge breaks, m, growing with its volume.
 template <class L>
-concept RuptureLaw = std::copyable<L> && detail::Breaks<L, double>;
+concept RuptureLaw = Copyable<L> && detail::Breaks<L, double>;
 
 /// Resistance of a liquid bridge to the motion of its grains, a bridge_resistance, N s/m.
 template <class L>
-concept ViscousBridgeLaw = std::copyable<L> && detail::Drags<L, double>;
+concept ViscousBridgeLaw = Copyable<L> && detail::Drags<L, double>;
 
 /// A capillary law that knows the work from the gap of a bridge to its rupture distance, J.
 template <class L>

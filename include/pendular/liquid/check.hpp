@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/never.hpp>
 #include <pendular/liquid/liquid.hpp>
 
@@ -38,7 +39,7 @@ concept HasPeriod = requires(const P p) {
 
 template <class F>
 consteval bool is_formation_rule() {
-  if constexpr (!std::copyable<F>) {
+  if constexpr (!Copyable<F>) {
     static_assert(detail::never<F>, "a formation rule must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!requires(const F f) {
@@ -56,7 +57,7 @@ consteval bool is_formation_rule() {
 
 template <class P>
 consteval bool is_local_protocol() {
-  if constexpr (!std::copyable<P>) {
+  if constexpr (!Copyable<P>) {
     static_assert(detail::never<P>, "a protocol must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!detail::Offers<P>) {
@@ -79,7 +80,7 @@ consteval bool is_local_protocol() {
 
 template <class P>
 consteval bool is_global_protocol() {
-  if constexpr (!std::copyable<P>) {
+  if constexpr (!Copyable<P>) {
     static_assert(detail::never<P>, "a protocol must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!detail::HasPeriod<P>) {
@@ -95,7 +96,7 @@ consteval bool is_global_protocol() {
 
 template <class S>
 consteval bool is_source() {
-  if constexpr (!std::copyable<S>) {
+  if constexpr (!Copyable<S>) {
     static_assert(detail::never<S>, "a source must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!detail::HasPeriod<S>) {

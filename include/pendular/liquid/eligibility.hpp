@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -89,7 +88,7 @@ struct joining {
   std::size_t at;  // in the list of candidates
 
   friend bool operator<(const joining& a, const joining& b) {
-    return std::tie(a.alpha, a.ids) < std::tie(b.alpha, b.ids);
+    return a.alpha != b.alpha ? a.alpha < b.alpha : a.ids < b.ids;
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/core/bundle.hpp>
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/expects.hpp>
 #include <pendular/law/concepts.hpp>
 #include <pendular/law/prepared.hpp>
@@ -19,7 +20,7 @@ namespace pendular {
 /// Rule for the gap below which two wet grains are joined. With `needs_closing = true` only a pair that was not below it
 /// in the step before is.
 template <class F>
-concept FormationRule = std::copyable<F> && requires(const F rule, const double rupture_distance) {
+concept FormationRule = Copyable<F> && requires(const F rule, const double rupture_distance) {
   { rule.reach(rupture_distance) } -> std::convertible_to<double>;
   { rule.minimum_volume } -> std::convertible_to<double>;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/never.hpp>
 #include <pendular/motion/observer.hpp>
 #include <pendular/motion/velocity_verlet.hpp>
@@ -37,7 +38,7 @@ concept KnowsItsLimit = requires {
 
 template <class I>
 consteval bool is_integrator() {
-  if constexpr (!std::copyable<I>) {
+  if constexpr (!Copyable<I>) {
     static_assert(detail::never<I>, "an integrator must be copyable: make it a struct of parameters "
                                     "(docs/reference/concepts.md)");
   } else if constexpr (!detail::HasTimeStepAndGravity<I>) {

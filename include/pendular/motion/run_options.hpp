@@ -2,8 +2,6 @@
 #pragma once
 
 #include <pendular/core/expects.hpp>
-#include <pendular/core/host.hpp>
-#include <pendular/core/host_check.hpp>
 
 #include <optional>
 
@@ -16,25 +14,6 @@ struct run_options {
   double domain_margin = 10;        // a grain this many sizes of the first packing away from it is lost
   bool force = false;               // run even if the scene breaks a limit
 };
-
-/// The same for one part of a scene: run_on{host}, or run_on{host, {.skin = 0.2}}.
-template <class H>
-struct run_on : run_options {
-  static_assert(check::distributing_host<H>);
-  H host;
-  explicit run_on(const H& h, const run_options& numbers = {}) : run_options(numbers), host(h) {}
-};
-
-namespace detail {
-template <class H>
-struct options_on {
-  using type = run_on<H>;
-};
-template <>
-struct options_on<alone> {
-  using type = run_options;
-};
-}  // namespace detail
 
 inline void validate(const run_options& o) {
   constexpr auto page = "docs/reference/system.md";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/core/expects.hpp>
 #include <pendular/core/vec.hpp>
 
@@ -89,7 +90,7 @@ inline void validate(const half_step_velocity_verlet& v) { detail::validate_step
 /// templates in the type of the vectors: they are then called with rows of four numbers, which have + and multiplication by
 /// a double as a vector has, and are faster.
 template <class I>
-concept Integrator = std::copyable<I> && requires(const I integrator, vector& changed, const vector a) {
+concept Integrator = Copyable<I> && requires(const I integrator, vector& changed, const vector a) {
   { integrator.time_step } -> std::convertible_to<double>;
   { integrator.gravity } -> std::convertible_to<vector>;
   integrator.predict(changed, changed, a);

@@ -21,11 +21,9 @@ void update_rows(Grains& g, const H& host) {
 /// What moves of the copies of grains that other parts of a scene keep, from their keepers: places, velocities, contacts.
 template <class Grains, Host H>
 void update_copies(Grains& g, const H& host) {
-  if constexpr (is_distributed<H>) {
-    detail::update_rows<grain_row::place>(g, host);
-    detail::update_rows<grain_row::motion>(g, host);
-    if constexpr (Grains::rotate) detail::update_rows<grain_row::spin>(g, host);
-  }
+  detail::update_rows<grain_row::place>(g, host);
+  detail::update_rows<grain_row::motion>(g, host);
+  if constexpr (Grains::rotate) detail::update_rows<grain_row::spin>(g, host);
 }
 
 }  // namespace pendular

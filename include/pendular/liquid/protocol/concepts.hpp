@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/copyable.hpp>
 #include <pendular/liquid/door_archetype.hpp>
 
 #include <concepts>
@@ -21,7 +22,7 @@ struct bond_side {
 /// every bond offers, the offers of a grain are merged, `settle` turns merged offer and film into a grant, and every
 /// bond pulls its volume from the grant. The pulls of a grain never exceed its film.
 template <class P>
-concept LocalProtocol = std::copyable<P> && requires(const P p, const bond_side side, const double film) {
+concept LocalProtocol = Copyable<P> && requires(const P p, const bond_side side, const double film) {
   p.merge(p.offer(side), p.offer(side));
   p.settle(p.offer(side), film);
   { p.pull(side, p.settle(p.offer(side), film)) } -> std::convertible_to<double>;
@@ -30,7 +31,7 @@ concept LocalProtocol = std::copyable<P> && requires(const P p, const bond_side 
 /// Redistribution over the whole scene, once per period (steps), through a liquid_door. May say by `reach(door)` how far
 /// apart the pairs are that it needs in the list, m.
 template <class P>
-concept GlobalProtocol = std::copyable<P> && requires(const P p, liquid_door_archetype& door) {
+concept GlobalProtocol = Copyable<P> && requires(const P p, liquid_door_archetype& door) {
   { p.period } -> std::convertible_to<std::int64_t>;
   p.redistribute(door);
 };

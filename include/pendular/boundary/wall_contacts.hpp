@@ -203,7 +203,7 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
     for (std::size_t k = 0; k < count_; ++k) sum.add(pendular::detail::load_row(push_of(this->actions()[k])));
     const auto x = sum.value(0), y = sum.value(1), z = sum.value(2);
     if (!x || !y || !z) return {};
-    return vector{-*x, -*y, -*z};
+    return vector{0 - *x, 0 - *y, 0 - *z};  // nothing is 0, not -0
   }
 
   const Bonds& own_bonds(const Bonds& bonds) const requires(carries_bridges) { return bonds; }

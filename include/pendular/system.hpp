@@ -222,7 +222,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     const followed_by what = goes_on && !look ? followed_by::next_step : followed_by::nothing;
     correct_all(what);
     if (thrown) std::rethrow_exception(thrown);
-    if (look) detail::tell(observer, *this, take_news());
+    if (look) together(host(), [&] { detail::tell(observer, *this, take_news()); });
     return what == followed_by::next_step;
   }
 
@@ -265,6 +265,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
       expect_limits();
     } catch (...) {
       *this = std::move(before);
+      tell_rows();  // the grains are where they were before a list was made
       throw;
     }
   }
@@ -299,19 +300,22 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// Every grain to its keeper, with copies of those that are near, and all contacts with what they remember.
   void exchange_and_list(bool standing, double range, double skin, std::span<const char> gone) {
     static_assert(check::distributing_host<H>);
-    const std::size_t listed = pairs().grains(), kept = listed - grains_.copies();
+    const std::size_t listed = pairs().grains(), kept = grains_.kept();
     luggage<rows_type, grains_type> bags(rows_, grains_);
-    auto parcels = bags.pack(pairs(), view(), [&](std::size_t row) {
-      const bool here = row < listed ? row < kept : host().keeps(grains_.template get<column::position>()[row]);
-      return here && (gone.empty() || gone[row] == 0);
-    });
+    const auto is_here = [&](std::size_t row) {
+      return row < listed ? row < kept : host().keeps(grains_.template get<column::position>()[row]);
+    };
+    auto parcels = bags.pack(pairs(), view(), is_here, gone);
     const double largest = extremes_of(grains_.template get<column::radius>(), host()).largest;
     const std::size_t kept_now = host().exchange(parcels, 2 * largest + range);
     bags.unpack_grains(parcels, kept_now);
     near_.forget();
     list_anew(standing, range, skin, {});
-    bags.unpack_contacts(pairs(), view());
-    host().know_rows(grains_.template get<column::id>(), grains_.kept());
+    together(host(), [&] { bags.unpack_contacts(pairs(), view()); });
+    tell_rows();
+  }
+  void tell_rows() const {
+    if constexpr (is_distributed<H>) host().know_rows(grains_.template get<column::id>(), grains_.kept());
   }
 
   /// What moves of the copies, from their keepers.

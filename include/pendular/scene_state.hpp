@@ -151,6 +151,22 @@ class scene_state {
   /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
   std::vector<scene_limit> limits() const {
     expect_grains("a list of limits");
+    return limits_of_rows();
+  }
+
+  /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
+  /// unless run_options::force is set.
+  void expect_limits() const {
+    if (options_.force) return;
+    together(host(), [&] {
+      if (is_distributed<H> && grains_.size() == 0) return;  // nothing is here
+      if (const std::string broken = violations(limits_of_rows()); !broken.empty()) throw input_error(broken);
+    });
+  }
+
+ protected:
+  /// Of the grains and pairs that are here, of which there must be some; nobody else is asked.
+  std::vector<scene_limit> limits_of_rows() const {
     const auto walls = [&](const auto& visit) {
       for_each_wall([&](const auto& wall, const auto&) { visit(wall, material_of(wall)); });
     };
@@ -162,17 +178,6 @@ class scene_state {
     return all;
   }
 
-  /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
-  /// unless run_options::force is set.
-  void expect_limits() const {
-    if (options_.force) return;
-    together(host(), [&] {
-      if (is_distributed<H> && grains_.size() == 0) return;  // nothing is here
-      if (const std::string broken = violations(limits()); !broken.empty()) throw input_error(broken);
-    });
-  }
-
- protected:
   void check_arguments() const {
     if constexpr (requires { validate(integrator_); }) validate(integrator_);
     validate(options_);

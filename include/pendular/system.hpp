@@ -220,7 +220,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     const followed_by what = goes_on && !look ? followed_by::next_step : followed_by::nothing;
     correct_all(what);
     if (thrown) std::rethrow_exception(thrown);
-    if (look) detail::tell(observer, *this, take_news());
+    if (look) together(host(), [&] { detail::tell(observer, *this, take_news()); });
     return what == followed_by::next_step;
   }
 
@@ -263,6 +263,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
       expect_limits();
     } catch (...) {
       *this = std::move(before);
+      tell_rows();  // the grains are where they were before a list was made
       throw;
     }
   }
@@ -301,8 +302,11 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     bags.exchange(pairs(), view(), host(), 2 * largest + range, gone);
     near_.forget();
     list_anew(standing, range, skin, {});
-    bags.unpack_contacts(pairs(), view());
-    host().know_rows(grains_.template get<column::id>(), grains_.kept());
+    together(host(), [&] { bags.unpack_contacts(pairs(), view()); });
+    tell_rows();
+  }
+  void tell_rows() const {
+    if constexpr (is_distributed<H>) host().know_rows(grains_.template get<column::id>(), grains_.kept());
   }
 
   void expect_there(std::int64_t id) const {

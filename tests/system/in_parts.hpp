@@ -9,10 +9,12 @@
 #include <pendular/liquid/protocol/one_of.hpp>
 #include <pendular/parts.hpp>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,9 +26,10 @@ constexpr double radius = 0.5e-3, dt = 2.5e-6;
 
 /// Everything that a scene is after a run, by ids; a row of the bonds has two.
 struct record {
-  std::map<std::int64_t, std::vector<double>> grains;
+  using bits = std::vector<std::uint64_t>;  // of doubles: 0 is not -0
+  std::map<std::int64_t, bits> grains;
   std::map<std::pair<std::int64_t, std::int64_t>, double> bridges;  // m3
-  std::vector<double> walls;
+  bits walls;
   std::int64_t ruptures = 0, formations = 0;
   reproducible_sum liquid, damping, friction;  // m3, J
   double here = 0;                             // m3
@@ -38,22 +41,29 @@ struct record {
     if constexpr (System::material_type::keeps_energy_book) add_work(s);
     walls.clear();
     s.for_each_wall([&](const auto& wall, const auto&) {
-      for (const vector& v : {wall.force, wall.shape.point}) walls.insert(walls.end(), {v.x, v.y, v.z});
-      walls.push_back(wall.work);
+      for (const vector& v : {wall.force, wall.shape.point}) put(walls, v);
+      put(walls, wall.work);
     });
   }
 
  private:
+  template <class Value>
+  static void put(bits& all, const Value& value) {
+    if constexpr (std::is_same_v<Value, std::int64_t>) {
+      all.push_back(static_cast<std::uint64_t>(value));
+    } else {
+      for_each_scalar<double>(value, [&](double v) { all.push_back(std::bit_cast<std::uint64_t>(v)); });
+    }
+  }
+
   template <class System>
   void add_grains(const System& s) {
     const auto& g = s.particles();
     for (std::size_t row = 0; row < g.kept(); ++row) {
       auto& numbers = grains[g.template get<column::id>()[row]];
       CHECK(numbers.empty());  // nobody else keeps it
-      System::grains_type::for_each_column([&](auto column) {
-        for_each_scalar<double>(g.template get<decltype(column)>()[row], [&](double v) { numbers.push_back(v); });
-      });
-      if constexpr (System::wet) numbers.push_back(s.bridges().book().films()[row]);
+      System::grains_type::for_each_column([&](auto column) { put(numbers, g.template get<decltype(column)>()[row]); });
+      if constexpr (System::wet) put(numbers, s.bridges().book().films()[row]);
     }
   }
 

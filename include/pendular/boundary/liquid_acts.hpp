@@ -40,7 +40,9 @@ class liquid_acts {
     if constexpr (requires(liquid_door_archetype door) { protocol.reach(door); }) {
       const pair_view v = view();
       const auto incidences = pairs_of();
-      return protocol.reach(liquid_door(rows_.bridges(), v, incidences, host_));
+      double reach = 0;
+      together(host_, [&] { reach = protocol.reach(liquid_door(rows_.bridges(), v, incidences, host_)); });
+      return reach;
     } else {
       return 0;
     }

@@ -67,11 +67,9 @@ class luggage {
   /// everywhere, and grains marked as gone nowhere. Their contacts follow when they are listed.
   template <DistributingHost H>
   void exchange(const pair_list& list, const pair_view& view, const H& host, double reach, std::span<const char> gone) {
-    const std::size_t listed = list.grains(), kept = listed - grains_.copies();
-    auto parcels = pack(list, view, [&](std::size_t row) {
-      const bool here = row < listed ? row < kept : host.keeps(view.position[row]);
-      return here && (gone.empty() || gone[row] == 0);
-    });
+    const std::size_t listed = list.grains(), kept = grains_.kept();
+    const auto is_here = [&](std::size_t row) { return row < listed ? row < kept : host.keeps(view.position[row]); };
+    auto parcels = pack(list, view, is_here, gone);
     const std::size_t kept_now = host.exchange(parcels, reach);
     unpack_grains(parcels, kept_now);
   }
@@ -95,14 +93,19 @@ class luggage {
   }
 
  private:
-  /// Of the grains for which `wanted(row)`.
-  template <class Wanted>
-  std::vector<parcel> pack(const pair_list& list, const pair_view& view, const Wanted& wanted) {
+  /// Of the grains for which `is_here(row)`, without those marked as gone, whose contacts are no more.
+  template <class IsHere>
+  std::vector<parcel> pack(const pair_list& list, const pair_view& view, const IsHere& is_here,
+                           std::span<const char> gone) {
     find_walls();
     if constexpr (wet) volumes_before_ = rows_.bridges().volumes_before();
     std::vector<parcel> parcels;
     for (std::size_t row = 0; row < grains_.size(); ++row) {
-      if (!wanted(row)) continue;
+      if (!is_here(row)) continue;
+      if (!gone.empty() && gone[row] != 0) {
+        settle_contacts(row, list);
+        continue;
+      }
       parcels.push_back({view.id[row], view.position[row], view.radius[row], {}});
       numbers_ = &parcels.back().numbers;
       pack_grain(row);
@@ -160,6 +163,25 @@ class luggage {
       });
     }
     (*numbers_)[count_at] = std::bit_cast<double>(count);
+  }
+
+  /// The work in the contacts of a grain that is taken out. Those of which it is the second go with the first grain, to be
+  /// settled where they are not listed any more.
+  void settle_contacts(std::size_t row, const pair_list& list) {
+    if (row >= list.grains()) return;
+    for (const auto& incidence : list.pairs_of(row)) {
+      if (!incidence.is_second) settle(rows_.contacts(), incidence.pair);
+    }
+    std::size_t wall = 0;
+    rows_.for_each_wall([&](const auto&, auto& contacts) {
+      const std::size_t k = places_at_walls_[wall++][row];
+      if (k < contacts.size()) settle(contacts, k);
+    });
+  }
+  template <class Contacts>
+  static void settle(Contacts& contacts, std::size_t row) {
+    auto& work = contacts.work();
+    if constexpr (requires { work.settle(work.row(row)); }) work.settle(work.row(row));
   }
 
   template <class Contacts>

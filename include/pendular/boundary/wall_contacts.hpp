@@ -202,7 +202,7 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
   vector certain_force() const {
     certain_sum sum;
     for (std::size_t k = 0; k < count_; ++k) sum.add(pendular::detail::load_row(push_of(this->actions()[k])));
-    return {-sum.value(0), -sum.value(1), -sum.value(2)};
+    return {0 - sum.value(0), 0 - sum.value(1), 0 - sum.value(2)};  // nothing is 0, not -0
   }
 
   const Bonds& own_bonds(const Bonds& bonds) const requires(carries_bridges) { return bonds; }

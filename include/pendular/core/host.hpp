@@ -70,6 +70,24 @@ struct alone {
 template <class H>
 inline constexpr bool is_distributed = !std::same_as<H, alone>;
 
+namespace detail {
+/// Another part has thrown while this one was in the middle of a check.
+struct seen_stop {};
+
+[[noreturn]] inline void throw_stopped() {
+  throw run_error("another part of the scene has stopped (see docs/reference/host.md)");
+}
+}  // namespace detail
+
+/// Within a check, before the parts tell each other something: those that come to it stop if another one has thrown, which
+/// else would never come.
+template <Host H>
+void expect_all_go_on(const H& host) {
+  if constexpr (is_distributed<H>) {
+    if (host.any(false)) throw detail::seen_stop{};
+  }
+}
+
 /// A check that may throw on some parts; if it does on one, all stop.
 template <Host H, class Check>
 void together(const H& host, const Check& check) {
@@ -79,12 +97,14 @@ void together(const H& host, const Check& check) {
     std::exception_ptr thrown;
     try {
       check();
+    } catch (const detail::seen_stop&) {
+      detail::throw_stopped();
     } catch (...) {
       thrown = std::current_exception();
     }
     if (!host.any(thrown != nullptr)) return;
     if (thrown) std::rethrow_exception(thrown);
-    throw run_error("another part of the scene has stopped (see docs/reference/host.md)");
+    detail::throw_stopped();
   }
 }
 

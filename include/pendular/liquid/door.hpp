@@ -64,6 +64,7 @@ class liquid_door {
   double sum_over_grains(const Number& number) const {
     reproducible_sum sum;
     for (std::size_t grain = 0; grain < view_.kept; ++grain) sum.add(number(grain));
+    expect_all_go_on(host_);
     return total(host_, sum);
   }
   /// The same over all pairs or bridges.
@@ -73,6 +74,7 @@ class liquid_door {
     view_.for_each_row([&](std::size_t p) {
       if (is_bridged(p) && view_.counts_here(p)) sum.add(number(p));
     });
+    expect_all_go_on(host_);
     return total(host_, sum);
   }
 
@@ -110,11 +112,13 @@ class liquid_door {
   }
   /// All liquid over all eligible pairs (Richefeu et al. 2007, Eqs. 13-14), which the list must see: homogeneous_reach().
   void share_homogeneously() {
+    expect_all_go_on(host_);
     distribute_homogeneously(bonds_, view_, host_);
     touched_.clear();  // all thresholds are new
   }
   double homogeneous_reach() const {
     const auto all = candidates(view_, bonds_.selection());
+    expect_all_go_on(host_);
     return pendular::homogeneous_reach(bonds_, view_, all, bonds_.book().here(host_), host_);
   }
 

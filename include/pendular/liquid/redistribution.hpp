@@ -201,8 +201,9 @@ void break_bonds(bonds<Liquid>& b, const pair_view& view, std::span<const double
   refresh_dry_pairs(b, std::move(grains), view, pairs_of);
 }
 
-inline void expect_drawn(bool overdrawn) {
-  if (!overdrawn) return;
+inline void expect_drawn(double pulled, double film) {
+  constexpr double round_off = 1 + 1e-12, dust = 1e-290;  // m3; products of what is left of films may be subnormal
+  if (!(pulled > film * round_off + dust)) return;
   throw run_error(
       "a redistribution protocol pulled more from a grain than its film: what it settles must be enough for all "
       "pulls (see docs/how-to/own_protocol.md)");
@@ -214,20 +215,20 @@ void share_films(bonds<Liquid>& b, const pair_view& view, const gap_history& gap
                  const H& host) {
   const film_round<Liquid, PairsOf> round(b, view, gap, pairs_of);
   std::vector<granted<typename film_round<Liquid, PairsOf>::grant>> grants;
-  for (std::size_t grain = 0; grain < view.kept; ++grain) {
-    if (!(b.free_film(grain, view) > 0)) continue;
-    if (const auto grant = round.settle(grain)) grants.push_back({grain, *grant});
-  }
+  together(host, [&] {
+    for (std::size_t grain = 0; grain < view.kept; ++grain) {
+      if (!(b.free_film(grain, view) > 0)) continue;
+      if (const auto grant = round.settle(grain)) grants.push_back({grain, *grant});
+    }
+  });
   share_grants(grants, view, host);
   std::vector<pull> pulls;
-  bool overdrawn = false;
-  for (const auto& g : grants) {
-    constexpr double round_off = 1 + 1e-12, dust = 1e-290;  // m3; products of what is left of films may be subnormal
-    const double film = b.book().films()[g.grain];
-    const double pulled = round.pull_from(g.grain, g.grant, pulls);
-    overdrawn |= view.keeps(g.grain) && pulled > film * round_off + dust;
-  }
-  expect_drawn(host.any(overdrawn));
+  together(host, [&] {
+    for (const auto& g : grants) {
+      const double pulled = round.pull_from(g.grain, g.grant, pulls);
+      if (view.keeps(g.grain)) expect_drawn(pulled, b.book().films()[g.grain]);
+    }
+  });
   std::vector<std::size_t> drained;
   for (const auto& p : pulls) drained.push_back(p.grain);
   carry_out(b, pulls, view, gap.now);

@@ -11,6 +11,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -200,10 +201,11 @@ class grains {
   /// Row k becomes what was row order[k], without repetitions; rows that are not in it are no more.
   void permute(std::span<const std::size_t> order) { table_.permute(order); }
 
-  /// Rows before this one are kept here, those from it on are copies of grains that another part of the scene keeps.
-  std::size_t kept() const { return size() - copies_; }
-  std::size_t copies() const { return copies_; }
-  void mark_copies(std::size_t copies) { copies_ = copies; }
+  /// Rows before this one are kept here, those from it on are copies of grains that another part of the scene keeps, or
+  /// grains that were added since, of which nobody has asked yet who keeps them.
+  std::size_t kept() const { return std::min(kept_, size()); }
+  std::size_t copies() const { return size() - kept(); }
+  void mark_copies(std::size_t copies) { kept_ = size() - copies; }
 
   /// Grains that nothing moves but what drives them, by row; empty if there are none.
   std::span<const char> held() const { return held_; }
@@ -312,7 +314,7 @@ class grains {
   table table_;
   std::int64_t next_id_ = 0;
   std::vector<char> held_;
-  std::size_t copies_ = 0;
+  std::size_t kept_ = std::numeric_limits<std::size_t>::max();  // all, in a scene in one piece
 };
 
 /// Smallest and largest, m.

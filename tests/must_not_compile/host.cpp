@@ -69,7 +69,7 @@ void run(const H& host) {
 }
 
 int main() {
-#if PENDULAR_MISTAKE == 0 || PENDULAR_MISTAKE >= 8
+#if !defined(PENDULAR_MISTAKE) || PENDULAR_MISTAKE >= 8
   run(mine(0));
 #endif
 }

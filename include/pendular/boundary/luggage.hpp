@@ -69,9 +69,9 @@ class luggage {
   void exchange(const pair_list& list, const pair_view& view, const H& host, double reach, std::span<const char> gone) {
     const std::size_t listed = list.grains(), kept = grains_.kept();
     const auto is_here = [&](std::size_t row) { return row < listed ? row < kept : host.keeps(view.position[row]); };
-    auto parcels = pack(list, view, is_here, gone);
-    const std::size_t kept_now = host.exchange(parcels, reach);
-    unpack_grains(parcels, kept_now);
+    parcels_ = pack(list, view, is_here, gone);
+    const std::size_t kept_now = host.exchange(parcels_, reach);
+    unpack_grains(kept_now);
   }
 
   /// What the contacts of the kept grains had. Errors: run_error for a bridge whose pair is not listed.
@@ -115,15 +115,15 @@ class luggage {
   }
 
   /// The grains themselves and their films; the first `kept` are kept here.
-  void unpack_grains(const std::vector<parcel>& parcels, std::size_t kept) {
+  void unpack_grains(std::size_t kept) {
     std::vector<std::int64_t> ids;
-    for (const parcel& p : parcels) ids.push_back(p.id);
+    for (const parcel& p : parcels_) ids.push_back(p.id);
     grains_.restore(ids, grains_.next_id());
-    grains_.mark_copies(parcels.size() - kept);
-    rows_.forget_rows(parcels.size());
+    grains_.mark_copies(parcels_.size() - kept);
+    rows_.forget_rows(parcels_.size());
     unread_.clear();
-    for (std::size_t row = 0; row < parcels.size(); ++row) {
-      detail::unpacking in(parcels[row].numbers);
+    for (std::size_t row = 0; row < parcels_.size(); ++row) {
+      detail::unpacking in(parcels_[row].numbers);
       Grains::for_each_column([&](auto column) {
         detail::for_each_carried(grains_.template get<decltype(column)>()[row], [&](double& v) { v = in.next(); });
       });
@@ -264,7 +264,8 @@ class luggage {
 
   Rows& rows_;
   Grains& grains_;
-  std::vector<double>* numbers_ = nullptr;
+  std::vector<double>* numbers_ = nullptr;  // of the parcel that is packed
+  std::vector<parcel> parcels_;             // that have come, from which contacts are still to be read
   std::vector<double> volumes_before_;
   std::vector<std::vector<std::size_t>> places_at_walls_;
   std::vector<char> known_pairs_;

@@ -111,4 +111,12 @@ std::vector<vector> all_that_moves(const System& s) {
   return all;
 }
 
+/// With what the lid remembers.
+template <class System>
+std::vector<vector> all_that_is_kept(const System& s) {
+  auto all = all_that_moves(s);
+  all.push_back({s.walls().lid.load.hardest, 0, 0});
+  return all;
+}
+
 }  // namespace sides

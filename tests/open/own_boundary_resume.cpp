@@ -8,12 +8,6 @@ using namespace sides;
 TEST_CASE("a boundary of one's own goes on with the same bits after a resume") {
   auto s = dry_scene(dry_sides());
   fill(s);
-  s.run(2500);
-  auto again = resumed(s, dry_scene(dry_sides()));
-  CHECK(again.walls().lid.load.hardest == s.walls().lid.load.hardest);
-  s.run(2500);
-  again.run(2500);
-  CHECK(all_that_moves(again) == all_that_moves(s));
-  CHECK(again.walls().lid.load.hardest == s.walls().lid.load.hardest);
+  check_resume(s, dry_scene(dry_sides()), 2500, [](const auto& seen) { return all_that_is_kept(seen); });
   CHECK(s.walls().lid.load.hardest > 0);
 }

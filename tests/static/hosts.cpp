@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every knock-out of a host breaks one clause and must be refused; the archetypes, which are them mended, are accepted.
+#include "none_of.hpp"
+
 #include <pendular/core/host_check.hpp>
 #include <pendular/testing/host_archetypes.hpp>
 
@@ -11,13 +13,6 @@ namespace knock_out = pendular::testing::knock_out;
 namespace archetype = pendular::testing::archetype;
 
 namespace {
-template <class List, class Predicate>
-consteval bool none_of(List hosts, Predicate holds) {
-  return hana::unpack(hosts, [holds](auto... host) { return (!holds(host) && ...); });
-}
-template <class Type>
-using type_of = typename Type::type;
-
 static_assert(none_of(knock_out::hosts, []<class H>(H) { return Host<type_of<H>>; }));
 static_assert(none_of(knock_out::distributing_hosts, []<class H>(H) { return DistributingHost<type_of<H>>; }));
 static_assert(hana::unpack(knock_out::distributing_hosts, []<class... H>(H...) { return (Host<type_of<H>> && ...); }));

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every knock-out breaks one clause of its concept and must be refused; the twin without the mistake must be accepted.
+#include "none_of.hpp"
+
 #include <pendular/law/every_scalar.hpp>
 #include <pendular/testing/knock_outs.hpp>
 #include <pendular/testing/scalar_knock_outs.hpp>
 
-#include <boost/hana/unpack.hpp>
-
-namespace hana = boost::hana;
 using namespace pendular;
 namespace knock_out = pendular::testing::knock_out;
 
 namespace {
-
-template <class List, class Predicate>
-consteval bool none_of(List laws, Predicate holds) {
-  return hana::unpack(laws, [holds](auto... law) { return (!holds(law) && ...); });
-}
-template <class Type>
-using type_of = typename Type::type;
 
 static_assert(none_of(knock_out::normal_laws, []<class L>(L) { return NormalLaw<type_of<L>>; }));
 static_assert(none_of(knock_out::damping_laws, []<class L>(L) { return DampingLaw<type_of<L>>; }));

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // As knock_outs.cpp, for roles that are no laws: each has one mistake and is refused, the whole it was made of is not.
+#include "none_of.hpp"
+
 #include <pendular/motion/check.hpp>
 #include <pendular/testing/role_knock_outs.hpp>
 
-#include <boost/hana/unpack.hpp>
-
-namespace hana = boost::hana;
 using namespace pendular;
 namespace knock_out = pendular::testing::knock_out;
 
 namespace {
-
-template <class List, class Predicate>
-consteval bool none_of(List models, Predicate holds) {
-  return hana::unpack(models, [holds](auto... model) { return (!holds(model) && ...); });
-}
-template <class Type>
-using type_of = typename Type::type;
 
 static_assert(Integrator<knock_out::integrator::whole>);
 static_assert(none_of(knock_out::integrators, []<class M>(M) { return Integrator<type_of<M>>; }));

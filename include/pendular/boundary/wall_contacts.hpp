@@ -5,6 +5,7 @@
 #include <pendular/boundary/wall.hpp>
 #include <pendular/contact/contact_rows.hpp>
 #include <pendular/core/certain_sum.hpp>
+#include <pendular/space/by_id.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>
@@ -220,14 +221,11 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
   static std::vector<std::int32_t> grains_near(const Grains& g, const Wall& w, double range) {
     const auto position = g.template get<column::position>();
     const auto radius = g.template get<column::radius>();
-    const auto id = g.template get<column::id>();
     std::vector<std::int32_t> near;
     for (std::size_t row = 0; row < g.kept(); ++row) {
       if (w.shape.meet(position[row], radius[row]).gap < range) near.push_back(static_cast<std::int32_t>(row));
     }
-    std::sort(near.begin(), near.end(), [&](std::int32_t a, std::int32_t b) {
-      return id[static_cast<std::size_t>(a)] < id[static_cast<std::size_t>(b)];
-    });
+    sort_by_id(near, g.template get<column::id>());
     return near;
   }
 

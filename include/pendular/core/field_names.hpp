@@ -116,7 +116,7 @@ constexpr std::string_view type_name() {
 /// visit("member", number) for every double or integer inside an aggregate, members of members as "member.its_member". What
 /// is no aggregate of up to eight members is passed by.
 template <class S, class Visit>
-void for_each_named_number(const std::string& lead, S& s, const Visit& visit) {
+void for_each_named_number(const std::string& lead, S& s, Visit&& visit) {
   using plain = std::remove_cv_t<S>;
   if constexpr (std::is_arithmetic_v<plain>) {
     visit(lead, s);

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pendular::io {
@@ -23,49 +24,73 @@ struct parameter {
 };
 
 namespace detail {
+/// Where a parameter is kept. Its type is forgotten here, so that what reads, writes and compares is compiled once.
+struct parameter_place {
+  std::string name;
+  const void* address;
+  double (*read)(const void* address);
+  void (*write)(void* address, double value);
+
+  template <class Number>
+  static parameter_place of(std::string name, const Number& number) {
+    return {std::move(name), &number, [](const void* a) { return static_cast<double>(*static_cast<const Number*>(a)); },
+            [](void* a, double value) { *static_cast<Number*>(a) = static_cast<Number>(value); }};
+  }
+};
+
+/// Collects the numbers of an aggregate under its name, but those that `left_out` names.
+class parameter_places {
+ public:
+  template <class Aggregate>
+  void add(const std::string& lead, const Aggregate& a, bool (*left_out)(std::string_view member)) {
+    lead_ = lead + std::string(type_name<Aggregate>()) + " ";
+    left_out_ = left_out;
+    for_each_named_number("", a, *this);
+  }
+  template <class Number>
+  void operator()(const std::string& member, const Number& number) {
+    if (!left_out_(member)) all_.push_back(parameter_place::of(lead_ + member, number));
+  }
+  const std::vector<parameter_place>& all() const { return all_; }
+
+ private:
+  std::vector<parameter_place> all_;
+  std::string lead_;
+  bool (*left_out_)(std::string_view) = nullptr;
+};
+
 /// What of a drive changes while it drives is no parameter: `static constexpr std::array state{"velocity"}` names it.
-template <class Drive>
+template <class Policy>
 bool is_state(std::string_view member) {
-  if constexpr (requires { Drive::state; }) {
+  if constexpr (requires { Policy::state; }) {
     const std::string_view own = member.substr(0, member.find('.'));
-    return std::find(Drive::state.begin(), Drive::state.end(), own) != Drive::state.end();
+    return std::find(Policy::state.begin(), Policy::state.end(), own) != Policy::state.end();
   } else {
     return false;
   }
 }
+/// Of a shape the lengths are parameters: where it stands is state.
+inline bool is_inside_another(std::string_view member) { return member.find('.') != std::string_view::npos; }
 
-template <class Policy, class Visit>
-void visit_policy(const std::string& lead, Policy& policy, const Visit& visit) {
-  using plain = std::remove_cv_t<Policy>;
-  if constexpr (!std::is_same_v<plain, none>) {
-    const std::string name = lead + std::string(type_name<plain>()) + " ";
-    for_each_named_number("", policy, [&](const std::string& member, auto& v) {
-      if (!is_state<plain>(member)) visit(name + member, v);
-    });
-  }
+template <class Policy>
+void add_policy(parameter_places& places, const std::string& lead, const Policy& policy) {
+  if constexpr (!std::is_same_v<Policy, none>) places.add(lead, policy, &is_state<Policy>);
 }
 
-/// Of a shape the lengths: where it stands is state.
-template <class Shape, class Visit>
-void visit_shape(const std::string& lead, Shape& shape, const Visit& visit) {
-  const std::string name = lead + std::string(type_name<std::remove_cv_t<Shape>>()) + " ";
-  for_each_named_number("", shape, [&](const std::string& member, auto& v) {
-    if (member.find('.') == std::string::npos) visit(name + member, v);
-  });
-}
-
-template <class System, class Visit>
-void visit_parameters(System& s, const Visit& visit) {
-  s.for_each_policy([&](auto& policy) { visit_policy("", policy, visit); });
+template <class System>
+std::vector<parameter_place> places_of(const System& s) {
+  parameter_places places;
+  s.for_each_policy([&](const auto& policy) { add_policy(places, "", policy); });
   std::size_t index = 0;
-  s.for_each_wall([&](auto& wall, auto&) {
+  s.for_each_wall([&](const auto& wall, const auto&) {
     const std::string lead = "wall " + std::to_string(index++) + ": ";
-    visit_shape(lead, wall.shape, visit);
-    visit_policy(lead, wall.drive, visit);
-    if constexpr (requires { wall.material.for_each_policy([](auto&) {}); }) {
-      wall.material.for_each_policy([&](auto& policy) { visit_policy(lead, policy, visit); });
+    places.add(lead, wall.shape, &is_inside_another);
+    add_policy(places, lead, wall.drive);
+    if constexpr (requires { wall.material.for_each_policy([](const auto&) {}); }) {
+      wall.material.for_each_policy([&](const auto& policy) { add_policy(places, lead, policy); });
     }
   });
+  return places.all();
 }
 }  // namespace detail
 
@@ -74,9 +99,7 @@ void visit_parameters(System& s, const Visit& visit) {
 template <class System>
 std::vector<parameter> parameters_of(const System& s) {
   std::vector<parameter> all;
-  detail::visit_parameters(s, [&](const std::string& name, const auto& value) {
-    all.push_back({name, static_cast<double>(value)});
-  });
+  for (const detail::parameter_place& p : detail::places_of(s)) all.push_back({p.name, p.read(p.address)});
   return all;
 }
 
@@ -106,10 +129,10 @@ class in_turn {
 template <class System>
 void take_parameters(System& s, const std::vector<parameter>& from) {
   detail::in_turn given(from);
-  detail::visit_parameters(s, [&](const std::string& name, auto& value) {
-    const parameter* p = given.find(name);
-    if (p != nullptr) value = static_cast<std::remove_reference_t<decltype(value)>>(p->value);
-  });
+  for (const detail::parameter_place& place : detail::places_of(s)) {
+    const parameter* p = given.find(place.name);
+    if (p != nullptr) place.write(const_cast<void*>(place.address), p->value);  // of a system that may be written to
+  }
 }
 
 /// One line for each that is not the same: "normal::linear normal_stiffness is 1000 in the file and 500 in the program".

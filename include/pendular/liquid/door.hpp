@@ -4,8 +4,8 @@
 #include <pendular/core/expects.hpp>
 #include <pendular/core/host.hpp>
 #include <pendular/liquid/redistribution.hpp>
+#include <pendular/space/by_id.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -83,7 +83,7 @@ class liquid_door {
   void for_each_grain(const Visit& visit) const {
     std::vector<std::size_t> all(view_.kept);
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-    std::sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) { return id(a) < id(b); });
+    sort_by_id(all, view_.id);
     for (const std::size_t grain : all) visit(grain);
   }
 
@@ -185,7 +185,7 @@ class liquid_door {
     view_.for_each_row([&](std::size_t p) {
       if (wanted(p)) found.push_back(p);
     });
-    std::sort(found.begin(), found.end(), [&](std::size_t p, std::size_t q) { return ids(p) < ids(q); });
+    view_.sort_by_ids(found);
     return found;
   }
 

@@ -98,6 +98,10 @@ struct pair_view {
   std::pair<std::int64_t, std::int64_t> ids(std::size_t p) const {
     return {id[grain_i(p)], is_at_wall(p) ? -1 - std::int64_t{wall(p).wall} : id[grain_j(p)]};
   }
+  /// Puts rows into the order of these ids.
+  void sort_by_ids(std::vector<std::size_t>& rows) const {
+    std::sort(rows.begin(), rows.end(), [this](std::size_t p, std::size_t q) { return ids(p) < ids(q); });
+  }
 
   double gap(std::size_t p) const {
     if (is_at_wall(p)) return wall(p).gap;

@@ -183,7 +183,7 @@ void refresh_dry_pairs(bonds<Liquid>& b, std::vector<std::size_t> grains, const 
 template <class Liquid, class GapOf>
 void break_in_order(bonds<Liquid>& b, bridge_change how, std::vector<std::size_t> rows, const pair_view& view,
                     const GapOf& gap_of) {
-  std::sort(rows.begin(), rows.end(), [&](std::size_t p, std::size_t q) { return view.ids(p) < view.ids(q); });
+  view.sort_by_ids(rows);
   for (const std::size_t p : rows) break_bond(b, how, p, gap_of(p), view);
 }
 

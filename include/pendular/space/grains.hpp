@@ -5,6 +5,7 @@
 #include <pendular/core/expects.hpp>
 #include <pendular/core/strided.hpp>
 #include <pendular/core/vec.hpp>
+#include <pendular/space/by_id.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -281,10 +282,9 @@ class grains {
 
  private:
   std::vector<std::size_t> sorted_by_id() const {
-    const auto ids = get<column::id>();
     std::vector<std::size_t> rows(size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
-    std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+    sort_by_id(rows, get<column::id>());
     return rows;
   }
 

@@ -15,22 +15,42 @@
 namespace pendular::io::detail {
 
 /// Every row that acts, remembers or has done something: key (one id, or two), then its numbers.
+class row_record {
+ public:
+  /// The numbers of the next row go here; a row of nothing but 0 is not kept.
+  std::vector<double>& numbers() {
+    numbers_.clear();
+    return numbers_;
+  }
+  bool is_idle() const {
+    return std::all_of(numbers_.begin(), numbers_.end(), [](double v) { return v == 0; });
+  }
+  std::vector<std::int64_t>& keys() { return keys_; }
+  /// Keeps the numbers, under the key that was added last.
+  void keep() { values_.insert(values_.end(), numbers_.begin(), numbers_.end()); }
+  void put(checkpoint_writer& out, const std::string& name) const {
+    out.put(name + ".keys", keys_);
+    out.put(name + ".values", values_);
+  }
+
+ private:
+  std::vector<std::int64_t> keys_;
+  std::vector<double> values_, numbers_;
+};
+
 template <class Contacts, class KeyOf>
 void put_rows(checkpoint_writer& out, const std::string& name, const Contacts& contacts, std::size_t rows,
               const KeyOf& key_of) {
-  std::vector<std::int64_t> keys;
-  std::vector<double> values, numbers;
+  row_record record;
   for (std::size_t p = 0; p < rows; ++p) {
     auto state = contacts.take(p);
     state.gap = 0;  // is that of the positions
-    numbers.clear();
-    for_each_number(state, [&](double& v) { numbers.push_back(v); });
-    if (std::all_of(numbers.begin(), numbers.end(), [](double v) { return v == 0; })) continue;
-    key_of(p, keys);
-    values.insert(values.end(), numbers.begin(), numbers.end());
+    for_each_number(state, [&numbers = record.numbers()](double& v) { numbers.push_back(v); });
+    if (record.is_idle()) continue;
+    key_of(p, record.keys());
+    record.keep();
   }
-  out.put(name + ".keys", keys);
-  out.put(name + ".values", values);
+  record.put(out, name);
 }
 template <class Contacts, class RowOf>
 void get_rows(const checkpoint_reader& in, const std::string& name, Contacts& contacts, std::size_t ids_per_key,

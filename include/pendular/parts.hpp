@@ -18,15 +18,15 @@ struct run_on : run_options {
   explicit run_on(const H& h, const run_options& numbers = {}) : run_options(numbers), host(h) {}
 };
 
-template <class... M, class... L, class Boundary, class Integration, class H>
-system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, const run_on<H>&)
-    -> system<material<M...>, liquid<L...>, Boundary, Integration, H>;
+template <class... M, LiquidOrNone L, class Boundary, class Integration, class H>
+system(const material<M...>&, const L&, const Boundary&, const Integration&, const run_on<H>&)
+    -> system<material<M...>, L, Boundary, Integration, H>;
 template <class... M, class Boundary, class Integration, class H>
 system(const material<M...>&, const Boundary&, const Integration&, const run_on<H>&)
     -> system<material<M...>, dry, Boundary, Integration, H>;
-template <class... M, class... L, class Boundary, class Integration, class... Tags, class H>
-system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
-    -> system<material<M...>, liquid<L...>, Boundary, Integration, H, Tags...>;
+template <class... M, LiquidOrNone L, class Boundary, class Integration, class... Tags, class H>
+system(const material<M...>&, const L&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
+    -> system<material<M...>, L, Boundary, Integration, H, Tags...>;
 template <class... M, class Boundary, class Integration, class... Tags, class H>
 system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, const run_on<H>&)
     -> system<material<M...>, dry, Boundary, Integration, H, Tags...>;

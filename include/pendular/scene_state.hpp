@@ -51,14 +51,8 @@ class scene_state {
   static constexpr bool wet = rows_type::wet;
   static constexpr bool is_part = is_distributed<H>;
 
-  scene_state(const Material& m, const Liquid& l, const Boundary& b, const Integration& i,
-              const options_type& options) requires(!std::is_same_v<Liquid, dry>)
+  scene_state(const Material& m, const Liquid& l, const Boundary& b, const Integration& i, const options_type& options)
       : rows_(m, l, b), integrator_(i), options_(options) {
-    check_arguments();
-  }
-  scene_state(const Material& m, const Boundary& b, const Integration& i,
-              const options_type& options) requires(std::is_same_v<Liquid, dry>)
-      : rows_(m, b), integrator_(i), options_(options) {
     check_arguments();
   }
 
@@ -96,8 +90,8 @@ class scene_state {
   double time() const {  // s
     return clock_.time + static_cast<double>(steps_ - clock_.step) * integrator_.time_step;
   }
-  const bond_events& events() const requires(!std::is_same_v<Liquid, dry>) { return rows_.bridges().events(); }
-  const bond_selection& selection() const requires(!std::is_same_v<Liquid, dry>) { return rows_.bridges().selection(); }
+  const bond_events& events() const requires(wet) { return rows_.bridges().events(); }
+  const bond_selection& selection() const requires(wet) { return rows_.bridges().selection(); }
 
   /// For observers. Errors: input_error if forces are not known yet.
   void expect_evaluated(std::string_view who) const {

@@ -45,19 +45,20 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   // Not deduced from: the guides below say what makes a system.
   using made_of = std::type_identity_t<Material>;
 
+  /// A dry scene has none{} in the place of the liquid, or leaves it out.
   system(const made_of& m, const Liquid& l, const Boundary& b, const Integration& i,
-         const options_type& options = default_options()) requires(!std::is_same_v<Liquid, dry>)
+         const options_type& options = default_options())
       : state(m, l, b, i, options) {}
   system(const made_of& m, const Boundary& b, const Integration& i,
          const options_type& options = default_options()) requires(std::is_same_v<Liquid, dry>)
-      : state(m, b, i, options) {}
+      : system(m, dry{}, b, i, options) {}
   /// With tags of one's own for the grains, as tags<temperature>{}.
   system(const made_of& m, const Liquid& l, const Boundary& b, const Integration& i, tags<Tags...>,
-         const options_type& options = default_options()) requires(!std::is_same_v<Liquid, dry>)
+         const options_type& options = default_options())
       : system(m, l, b, i, options) {}
   system(const made_of& m, const Boundary& b, const Integration& i, tags<Tags...>,
          const options_type& options = default_options()) requires(std::is_same_v<Liquid, dry>)
-      : system(m, b, i, options) {}
+      : system(m, dry{}, b, i, options) {}
 
   /// Errors: as grains::add.
   void add(const grain& g) {
@@ -116,7 +117,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
 
   /// Puts liquid of the given volume, m3, between all eligible pairs (Richefeu et al. 2007, Eqs. 13-14). Errors: as
   /// expect_limits(); nothing has changed then.
-  void distribute_liquid(double volume, bond_selection selection = {}) requires(!std::is_same_v<Liquid, dry>) {
+  void distribute_liquid(double volume, bond_selection selection = {}) requires(wet) {
     validate(selection);
     change([&] {
       rows_.bridges().introduce(volume, host().leads());
@@ -130,7 +131,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// Another fluid, or other parameters of the same laws, from here on. Bridges keep their volumes; those that are beyond
   /// their new rupture distance break. Errors: as at construction, or a limit that the scene would break; nothing has
   /// changed then.
-  void change_liquid(const Liquid& next) requires(!std::is_same_v<Liquid, dry>) {
+  void change_liquid(const Liquid& next) requires(wet) {
     change([&] {
       rows_.bridges().change_policies(next, view());
       if (liquid_now().outgrows_list(near_.skin())) rebuild(true);
@@ -139,12 +140,12 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
 
   /// What a source or sink does in one of its periods, now. Errors: as distribute_liquid, or of the source.
   template <Source S>
-  void exchange(const S& source) requires(!std::is_same_v<Liquid, dry>) {
+  void exchange(const S& source) requires(wet) {
     change([&] { liquid_now().act(source, integrator_.time_step); });
   }
   /// Liquid moved by hand between the scene and an account outside of it: act(outside_door&).
   template <class Act>
-  void exchange(std::string_view account, const Act& act) requires(!std::is_same_v<Liquid, dry>) {
+  void exchange(std::string_view account, const Act& act) requires(wet) {
     change([&] { liquid_now().through_door(account, 0, act); });
   }
 
@@ -326,7 +327,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     return {};
   }
   /// Sources and sinks, then a global protocol, if their periods end here. Answers what they threw.
-  std::exception_ptr act_on_liquid() requires(!std::is_same_v<Liquid, dry>) {
+  std::exception_ptr act_on_liquid() requires(wet) {
     std::exception_ptr thrown;
     if constexpr (Liquid::has_sources) {
       thrown = liquid_now().act_at(steps_, integrator_.time_step);
@@ -347,21 +348,21 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     if (pairs().range() < reach + near_.skin()) rebuild(standing, reach);
   }
 
-  void settle_if(const contact_findings& found) requires(!std::is_same_v<Liquid, dry>) {
+  void settle_if(const contact_findings& found) requires(wet) {
     const bool asked = liquid_now().settle_if(found);
     if (asked) near_.expire(liquid_now().outgrows_list(near_.skin()));  // liquid may have gathered on a grain
   }
 };
 
-template <class... M, class... L, class Boundary, class Integration>
-system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, run_options = {})
-    -> system<material<M...>, liquid<L...>, Boundary, Integration>;
+template <class... M, LiquidOrNone L, class Boundary, class Integration>
+system(const material<M...>&, const L&, const Boundary&, const Integration&, run_options = {})
+    -> system<material<M...>, L, Boundary, Integration>;
 template <class... M, class Boundary, class Integration>
 system(const material<M...>&, const Boundary&, const Integration&, run_options = {})
     -> system<material<M...>, dry, Boundary, Integration>;
-template <class... M, class... L, class Boundary, class Integration, class... Tags>
-system(const material<M...>&, const liquid<L...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
-    -> system<material<M...>, liquid<L...>, Boundary, Integration, alone, Tags...>;
+template <class... M, LiquidOrNone L, class Boundary, class Integration, class... Tags>
+system(const material<M...>&, const L&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
+    -> system<material<M...>, L, Boundary, Integration, alone, Tags...>;
 template <class... M, class Boundary, class Integration, class... Tags>
 system(const material<M...>&, const Boundary&, const Integration&, tags<Tags...>, run_options = {})
     -> system<material<M...>, dry, Boundary, Integration, alone, Tags...>;

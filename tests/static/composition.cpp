@@ -11,6 +11,7 @@
 #include <boost/hana/unpack.hpp>
 
 #include <type_traits>
+#include <utility>
 
 using namespace pendular;
 
@@ -42,6 +43,15 @@ concept Wettable = requires(System s) {
   s.distribute_liquid(1e-9);
 };
 static_assert(Wettable<wet_scene> && !Wettable<dry_scene>);
+
+// Leaving the liquid out and saying none{} are one.
+template <class... Parts>
+using deduced = decltype(pendular::system(std::declval<Parts>()...));
+static_assert(std::is_same_v<deduced<frictionless, none, floor_only, velocity_verlet>, dry_scene>);
+static_assert(std::is_same_v<deduced<frictionless, none, floor_only, velocity_verlet, run_options>, dry_scene>);
+static_assert(std::is_same_v<deduced<frictionless, none, floor_only, velocity_verlet, tags<>>, dry_scene>);
+static_assert(std::is_same_v<deduced<frictionless, floor_only, velocity_verlet, run_options>, dry_scene>);
+static_assert(std::is_same_v<deduced<frictionless, water_and_laws, floor_only, velocity_verlet>, wet_scene>);
 
 // A frictionless scene does not rotate.
 template <class System, class Column>

@@ -19,8 +19,17 @@
 
 namespace pendular {
 
-/// In place of a liquid in a dry scene.
-struct dry {};
+/// In place of a liquid: a dry scene.
+using dry = none;
+
+namespace detail {
+template <class L>
+inline constexpr bool is_liquid = false;
+template <class... Policies>
+inline constexpr bool is_liquid<liquid<Policies...>> = true;
+}  // namespace detail
+template <class L>
+concept LiquidOrNone = std::is_same_v<L, dry> || detail::is_liquid<L>;
 
 namespace detail {
 template <class Liquid>
@@ -43,10 +52,9 @@ class scene_rows {
   using contacts_type = pair_contacts<Material, bonds_type>;
   using wall_contacts_type = typename detail::wall_contacts_of<Material, bonds_type, Boundary>::type;
 
-  scene_rows(const Material& m, const Liquid& l, const Boundary& b) requires(wet) : material_(m), walls_(b), bonds_(l) {
+  scene_rows(const Material& m, const Liquid& l, const Boundary& b) : material_(m), walls_(b), bonds_(l) {
     check_walls();
   }
-  scene_rows(const Material& m, const Boundary& b) requires(!wet) : material_(m), walls_(b) { check_walls(); }
 
   const Material& material() const { return material_; }
   Material& material() { return material_; }

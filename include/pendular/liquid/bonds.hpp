@@ -367,6 +367,8 @@ struct no_bonds {
   static constexpr bool knows_planes = false;
   static constexpr bool forms_on_closing = false;
   static constexpr bool is_viscous = false;
+  no_bonds() = default;
+  explicit no_bonds(const none&) {}
 };
 
 }  // namespace pendular

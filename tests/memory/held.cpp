@@ -33,6 +33,14 @@ void* counted(std::size_t bytes, std::size_t alignment) {
 }  // namespace
 
 void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+// std::stable_sort asks so; sanitizers have one of their own, which would not go with the `delete` below.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(bytes);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void* operator new(std::size_t bytes, std::align_val_t a) { return counted(bytes, static_cast<std::size_t>(a)); }
 // Not inlined, where compilers would warn of `free` for what `new` has made.
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }

@@ -47,10 +47,15 @@ class ledger {
     }
     return 0;
   }
-  /// The account of this name, a new one if there is none.
+  /// The account of this name, a new one if there is none. Errors: input_error for a name of several lines, because
+  /// checkpoints have one per line.
   account open_outside(std::string_view name) {
     for (std::size_t k = 0; k < outside_.size(); ++k) {
       if (outside_[k].name == name) return {kind::outside, k};
+    }
+    if (name.find('\n') != std::string_view::npos) {
+      throw input_error("the name of an account outside of the scene, \"" + std::string(name) +
+                        "\", must be on one line (see docs/reference/liquid.md)");
     }
     outside_.push_back({std::string(name)});
     return {kind::outside, outside_.size() - 1};

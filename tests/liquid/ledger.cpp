@@ -175,8 +175,9 @@ TEST_CASE("a hundred thousand random transfers between films and bonds of all si
 TEST_CASE("the name of an account outside is one line, of which another opens nothing") {
   ledger l;
   l.resize_films(1);
-  CHECK_THROWS_WITH(l.open_outside("rain\nsnow"), "the name of an account outside of the scene, \"rain\nsnow\", must be "
-                                                  "on one line (see docs/reference/liquid.md)");
+  CHECK_THROWS_WITH(l.open_outside("rain\nsnow"),
+                    "the name of an account outside of the scene, \"rain\nsnow\", must be "
+                    "on one line (see docs/reference/liquid.md)");
   CHECK(l.outside().empty());
   l.open_outside("rain and snow");
   CHECK(l.outside().size() == 1);

@@ -4,12 +4,16 @@
 file(REMOVE_RECURSE "${folder}/whole" "${folder}/killed")
 file(MAKE_DIRECTORY "${folder}/killed")
 
+string(TIMESTAMP begun "%s")
 execute_process(COMMAND "${program}" "${folder}/whole" ${job} --threads 1 RESULT_VARIABLE code ERROR_VARIABLE said OUTPUT_QUIET)
+string(TIMESTAMP ended "%s")
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "the job failed: ${said}")
 endif()
 
-# Killed every second, in whatever stage that is, until it ends by itself; a slow machine gets longer each time.
+# Killed about eight times in the time of the whole job, in whatever stage that is, until it ends by itself; a machine that
+# has become slower meanwhile gets longer each time.
+math(EXPR first "1 + (${ended} - ${begun}) / 8")
 set(resume "")
 if(again STREQUAL "--continue")
   set(resume --continue)  # from the first start on
@@ -17,7 +21,7 @@ endif()
 set(resumed OFF)
 set(kills 0)
 foreach(attempt RANGE 1 60)
-  math(EXPR seconds "1 + ${kills} / 3")
+  math(EXPR seconds "${first} + ${kills} / 3")
   execute_process(COMMAND timeout -s KILL ${seconds} "${program}" "${folder}/killed" ${job} --threads 2 ${resume}
                   RESULT_VARIABLE code ERROR_VARIABLE said OUTPUT_QUIET)
   if(code EQUAL 0)

@@ -148,9 +148,10 @@ class scene_state {
     return limits_of_rows();
   }
 
-  /// Done at the start and whenever liquid is put in. Errors: input_error with value and bound of every limit broken,
-  /// unless run_options::force is set.
+  /// Done at the start and whenever liquid is put in. Errors: input_error for a scene without grains, and with value and
+  /// bound of every limit broken unless run_options::force is set.
   void expect_limits() const {
+    expect_grains("a check of limits");
     if (options_.force) return;
     together(host(), [&] {
       if (is_distributed<H> && grains_.size() == 0) return;  // nothing is here

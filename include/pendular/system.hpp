@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/boundary/liquid_acts.hpp>
+#include <pendular/core/expects.hpp>
 #include <pendular/core/extremes.hpp>
 #include <pendular/core/host.hpp>
 #include <pendular/liquid/protocol/homogeneous.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +72,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// Takes grains out, by their ids. Their bridges break, and what liquid they then have goes to the account "taken out".
   /// Grains that touched none of them go on with the same bits. Errors: a grain that is not there, all of them, or as
   /// expect_limits(); nothing has changed then.
+  void remove(std::initializer_list<std::int64_t> ids) { remove(std::span(ids.begin(), ids.size())); }
   void remove(std::span<const std::int64_t> ids) {
     for (const std::int64_t id : ids) expect_there(id);
     std::vector<char> gone = grains_.marked(ids);
@@ -141,6 +144,7 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// What a source or sink does in one of its periods, now. Errors: as distribute_liquid, or of the source.
   template <Source S>
   void exchange(const S& source) requires(wet) {
+    check_policy(source);
     change([&] { liquid_now().act(source, integrator_.time_step); });
   }
   /// Liquid moved by hand between the scene and an account outside of it: act(outside_door&).
@@ -149,7 +153,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     change([&] { liquid_now().through_door(account, 0, act); });
   }
 
-  /// Errors: run_error, naming grain, step and cause; whatever an observer or a source throws, after a whole step.
+  /// Errors: input_error for less than 0 steps; run_error, naming grain, step and cause; whatever an observer or a source
+  /// throws, after a whole step.
   void run(std::int64_t steps) {
     null_observer nobody;
     run(steps, nobody);
@@ -161,6 +166,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
                   "an observer is called with `const system&`, or has a `notice(const bridge_event&)`, or both "
                   "(docs/reference/observe.md)");
     detail::expect_period(observer);
+    expects(steps >= 0, "the number of steps of a run", static_cast<double>(steps), "at least 0",
+            "docs/reference/system.md");
     start();
     rows_.forget_constants();
     if constexpr (wet) rows_.bridges().keep_log(ObservesEvents<watcher>);

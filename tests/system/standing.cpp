@@ -9,6 +9,7 @@
 #include <pendular/law/capillary/bagheri.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
 #include <pendular/law/rupture/willett.hpp>
+#include <pendular/liquid/source/evaporation.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/fabric.hpp>
 #include <pendular/observe/grain_pressures.hpp>
@@ -174,6 +175,10 @@ TEST_CASE("more than there is cannot be taken by hand, and nothing is taken then
   CHECK_THROWS_AS(take(6e-13, std::nan("")), input_error);
   CHECK((s.bridges().book().bonds()[0] == all && s.bridges().book().outside("pump") == 0));
   CHECK_THROWS_AS(s.exchange("pump", [](auto& door) { door.dry_grain(1, 1e-30); }), input_error);
+  CHECK_THROWS_AS(s.exchange("pump", [](auto& door) { door.wet_grain(2, 1e-15); }), input_error);  // there are two
+  CHECK_THROWS_AS(s.exchange(source::evaporation{-1, 0}), input_error);
+  CHECK_THROWS_AS(s.exchange(source::evaporation{1, 0, 0}), input_error);
+  CHECK((s.bridges().book().bonds()[0] == all && s.bridges().book().outside("vapour") == 0));
   take(0.5 * all, all - 0.5 * all);
   CHECK((s.bridges().count() == 0 && s.bridges().book().outside("pump") == all));
   CHECK(s.bridges().attraction(0, block(1e-6))[0] == 0);
@@ -351,14 +356,15 @@ TEST_CASE("grains are taken out with their liquid, and nobody else notices") {
 
 TEST_CASE("a grain that is not there, twice out, and the last one are refused, and nothing has changed") {
   auto s = heap<velocity_verlet>(), alone = heap<velocity_verlet>();
-  CHECK_THROWS_AS(s.remove(std::vector<std::int64_t>{3, 99}), input_error);
-  CHECK_THROWS_AS(s.remove(std::vector<std::int64_t>{-1}), input_error);
+  CHECK_THROWS_AS(s.remove({3, 99}), input_error);
+  CHECK_THROWS_AS(s.remove({-1}), input_error);
   CHECK_THROWS_AS(s.drive(99), input_error);
   CHECK_THROWS_AS(s.release(3), input_error);
   CHECK_THROWS_AS(s.drive(3, {std::nan(""), 0, 0}), input_error);
   s.drive(28);
   CHECK_THROWS_AS(s.drive(28, {1, 0, 0}), input_error);
   s.release(28);
+  CHECK_THROWS_AS(s.run(-1), input_error);
   s.run(100);
   alone.run(100);
   expect_same(s, alone, 27);  // all that do not touch 28, which was stopped
@@ -510,4 +516,5 @@ TEST_CASE("an empty scene is refused in a sentence wherever it is asked") {
   CHECK_THROWS_AS(s.run(1), input_error);
   CHECK_THROWS_AS(s.limits(), input_error);
   CHECK_THROWS_AS(s.canonicalise(), input_error);
+  CHECK_THROWS_AS(s.expect_limits(), input_error);
 }

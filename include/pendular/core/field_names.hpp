@@ -20,6 +20,7 @@ struct kept {
 #ifdef __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wundefined-var-template"
+#pragma clang diagnostic ignored "-Wundefined-internal"  // of types in unnamed namespaces
 #endif
 template <class T>
 extern const kept<T> nowhere;

@@ -90,8 +90,8 @@ class liquid_door {
   // Moves within the scene.
   void from_film_to_film(std::size_t from, std::size_t to, double volume) {
     expect_film(from, volume);
-    bonds_.drain_film(from, ledger::film_of(to), volume, view_);
     touch(from), touch(to);
+    bonds_.drain_film(from, ledger::film_of(to), volume, view_);
   }
   /// Fills a bridge or forms one. False, and nothing is moved, if no bridge of this volume can be there: it is less than
   /// the minimum volume or would break at once.
@@ -106,6 +106,7 @@ class liquid_door {
   }
   /// Its liquid goes to the films of its grains as that of any broken bridge.
   void break_bridge(std::size_t pair) {
+    expect_row("pair", pair, view_.rows());
     if (!is_bridged(pair)) return;
     view_.for_each_grain_of(pair, [&](std::size_t grain) { touch(grain); });
     detail::break_bond(bonds_, bridge_change::emptied, pair, view_.gap(pair), view_);
@@ -132,17 +133,28 @@ class liquid_door {
  protected:
   static constexpr auto page = "docs/reference/liquid.md";
 
-  void touch(std::size_t grain) { touched_.push_back(grain); }
+  void touch(std::size_t grain) {
+    expect_row("grain", grain, grains());
+    touched_.push_back(grain);
+  }
+
+  static void expect_row(std::string_view of_what, std::size_t row, std::size_t rows) {
+    if (row < rows) return;
+    expects(false, "the row of a " + std::string(of_what) + " at a door", static_cast<double>(row),
+            "less than the " + std::to_string(rows) + " that are there", page);
+  }
 
   static void expect_there(double volume, double there, const std::string& of_what) {
     expects(volume >= 0 && volume <= there, "the volume taken from " + of_what + " (m3)", volume,
             "at least 0 and at most the " + detail::number(there) + " that are there", page);
   }
   void expect_film(std::size_t grain, double volume) const {
+    expect_row("grain", grain, grains());
     if (volume >= 0 && volume <= film(grain)) return;
     expect_there(volume, film(grain), "the film of grain " + std::to_string(id(grain)));
   }
   void expect_bridge(std::size_t pair, double volume) const {
+    expect_row("pair", pair, view_.rows());
     const double there = bonds_.book().bonds()[pair];
     if (volume >= 0 && volume <= there) return;
     const auto [i, j] = ids(pair);
@@ -156,6 +168,7 @@ class liquid_door {
   }
 
   bool fill(ledger::account from, std::size_t pair, double volume) {
+    expect_row("pair", pair, view_.rows());
     const double gap = view_.gap(pair);
     if (volume == 0 || !can_hold(pair, volume, gap)) return false;
     if (!is_bridged(pair)) bonds_.note(bridge_change::formed, pair, gap, volume, view_);

@@ -43,6 +43,16 @@ template <class Given, class Default>
 using given_or = std::conditional_t<std::is_same_v<Given, none>, Default, Given>;
 }  // namespace detail
 
+/// Errors: input_error for a policy of a liquid with a parameter out of bounds.
+template <class P>
+constexpr void check_policy(const P& policy) {
+  if constexpr (requires { validate(policy); }) validate(policy);
+  if constexpr (Source<P> || GlobalProtocol<P>) {
+    expects(policy.period > 0, "the period of a source or global protocol (steps)", static_cast<double>(policy.period),
+            "at least 1", "docs/reference/liquid.md");
+  }
+}
+
 /// The wet side of a scene: fluid, capillary law and rupture law, and at most one viscous bridge law, one formation rule
 /// and one redistribution protocol, and any number of sources and sinks, in any order. Without a protocol the liquid of a
 /// broken bond stays on its grains; without a rule bridges form within the rupture distance under a global protocol and at
@@ -87,14 +97,7 @@ class liquid {
 
   /// Errors: input_error for a policy with a parameter out of bounds, or one that was made for another fluid.
   constexpr void check() const {
-    const auto validate_one = []<class P>(const P& policy) {
-      if constexpr (requires { validate(policy); }) validate(policy);
-      if constexpr (Source<P> || GlobalProtocol<P>) {
-        expects(policy.period > 0, "the period of a source or global protocol (steps)",
-                static_cast<double>(policy.period), "at least 1", "docs/reference/liquid.md");
-      }
-    };
-    std::apply([&](const auto&... policy) { (validate_one(policy), ...); }, policies_);
+    std::apply([&](const auto&... policy) { (check_policy(policy), ...); }, policies_);
     const auto match_one = [&](const auto& policy) {
       if constexpr (requires { policy.expect_fluid(substance()); }) policy.expect_fluid(substance());
     };

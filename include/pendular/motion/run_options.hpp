@@ -3,6 +3,7 @@
 
 #include <pendular/core/expects.hpp>
 
+#include <cmath>
 #include <optional>
 
 namespace pendular {
@@ -21,6 +22,8 @@ inline void validate(const run_options& o) {
   expects(skin > 0 && skin < 10, "the skin in units of the smallest radius", skin, "in (0, 10)", page);
   expects(o.overlap_limit > 0 && o.overlap_limit < 1, "the overlap limit in units of the radius", o.overlap_limit,
           "in (0, 1)", page);
+  expects(o.domain_margin >= 0 && std::isfinite(o.domain_margin), "the margin of the domain in sizes of the packing",
+          o.domain_margin, "at least 0 and finite", page);
 }
 
 }  // namespace pendular

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/core/as_eigen.hpp>
+#include <pendular/core/expects.hpp>
 #include <pendular/core/vec.hpp>
 #include <pendular/observe/pairs.hpp>
 #include <pendular/space/grains.hpp>
@@ -16,10 +17,11 @@
 namespace pendular::observe {
 
 /// Love-Weber stress, Pa, compression positive: (1/V) sum of force times branch over all pairs, bridges across a gap
-/// included. Static part only. Valid for a volume, m3, that holds all grains.
+/// included. Static part only. Valid for a volume, m3, that holds all grains. Errors: input_error for one that is none.
 /// Source: A. E. H. Love, Treatise on the Mathematical Theory of Elasticity (1927), p. 618; Richefeu et al. 2006, section 5.
 template <class System>
 Eigen::Matrix3d love_weber_stress(const System& s, double volume) {
+  expects_positive("the volume over which a stress is taken (m3)", volume, "docs/reference/observe.md");
   const auto moment = [](const pair& p) -> Eigen::Matrix3d {
     // The force on grain i points along -branch in compression.
     return -as_eigen(p.force) * as_eigen(p.branch).transpose();

@@ -2,6 +2,8 @@
 // Walls that move, against springs written down here.
 #include "../catch.hpp"
 
+#include <pendular/boundary/cylinder.hpp>
+#include <pendular/boundary/turning.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/boundary/wall_contacts.hpp>
 #include <pendular/contact/material.hpp>
@@ -153,6 +155,35 @@ TEST_CASE("a wall pushes the grains that overlap it, and they push back with the
   std::array<reproducible_sum, sum::width> sums;
   contacts.add_load(g, w, sum(sums));
   CHECK(sum(sums).value().force == force);
+}
+
+TEST_CASE("a grain that turns slips at a wall by its radius and gap, and its spring turns half as much as it does") {
+  using floor = wall<plane>;
+  using stiff = material<normal::linear, friction::coulomb_spring>;
+  grains<true, false> g;
+  g.add({{0, 0, 1.8}, 2, 1000, {0, 0, 0}, {0, 0.3, 0}});
+  const floor w{plane{{0, 0, 0}, {0, 0, 1}}};
+  const stiff m{normal::linear{50}, friction::coulomb_spring{1000, 0.5}};
+  boundary::wall_contacts<floor, stiff> contacts;
+  contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0});
+  contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
+  CHECK(contacts.force(0).x == within(1e-12, 0.54));  // 1 kN/m times 0.3 / s times 1.8 m times 1 ms
+  g.get<column::angular_velocity>()[0] = {0, 0, 100};
+  contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
+  CHECK(contacts.force(0).y / contacts.force(0).x == within(1e-3, std::tan(0.05)));
+}
+
+TEST_CASE("a drum drags a grain with the velocity of its surface") {
+  using drum = wall<boundary::cylinder, boundary::turning>;
+  using stiff = material<normal::linear, friction::coulomb_spring>;
+  grains<true, false> g;
+  g.add({{0, 0, -2.1}, 1, 1000});  // 0.1 into it
+  const drum w{boundary::cylinder{{0, 0, 0}, {0, 1, 0}, 3}, boundary::turning{{0, 0, 0}, {0, 1, 0}, 0.5}};
+  const stiff m{normal::linear{50}, friction::coulomb_spring{1000, 0.5}};
+  boundary::wall_contacts<drum, stiff> contacts;
+  contacts.rebuild(g, w, 1.0, std::vector<std::size_t>{0});
+  contacts.evaluate(g, w, m, no_bonds{}, {1e-3, 0, 0.5});
+  CHECK(contacts.force(0).x == within(1e-12, -1.5));  // 1 kN/m times 0.5 / s times 3 m times 1 ms
 }
 
 TEST_CASE("a grain keeps its spring at the wall when the list is made anew in another order") {

@@ -67,6 +67,8 @@ TEST_CASE("a million steps keep a turning plane a plane, where its angle says") 
   CHECK(w.shape.normal.y == within(1e-9, 1));
   CHECK(w.shape.point.y == within(1e-9, 1));
   CHECK(w.approach_speed() == within(1e-15, 6 * pi));
+  w.drive.rate = -2 * pi;
+  CHECK(w.approach_speed() == within(1e-15, 6 * pi));
 }
 
 TEST_CASE("a turning wall is told force and torque, and its power is that of its surface") {

@@ -64,6 +64,7 @@ TEST_CASE("a sum of one number is that number, whatever it is") {
   CHECK(ours({0x1p53, 1, 0x1p-60}) == 0x1p53 + 2);  // more than half a unit: up
   CHECK(ours({0x1p53, 1}) == 0x1p53);               // a tie: to even
   CHECK(ours({0x1p53, 3}) == 0x1p53 + 4);
+  CHECK(ours({0x1p13, 0x1p-40, 0x1p-60}) == 0x1p13 + 0x1p-39);  // more than half by bits of the next digit alone
   CHECK(ours({-0x1p53, -1, -0x1p-1074}) == -(0x1p53 + 2));
 }
 
@@ -136,6 +137,9 @@ TEST_CASE("a certain sum says nothing where it could be one of two numbers") {
   CHECK(std::isnan(half.value(0)));
   for (const double v : {0x1p-120, 0x1p-140}) half.add(pendular::detail::four(v));
   CHECK(std::isnan(half.value(2)));
+  pendular::certain_sum below;  // where the next number below is nearer than that above
+  for (const double v : {1.0, -0x1p-54}) below.add(pendular::detail::four(v));
+  CHECK(std::isnan(below.value(1)));
   pendular::certain_sum more;
   for (const double v : {1.0, 0x1.01p-53}) more.add(pendular::detail::four(v));
   CHECK(more.value(3) == 1 + 0x1p-52);

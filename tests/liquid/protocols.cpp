@@ -67,6 +67,7 @@ TEST_CASE("P3 gives all to the lowest contact below the centre, the lower partne
   const auto nobody = grant_of({side(1, 0.5, 1), side(1, 0, 2)});  // a contact at the equator is not below the centre
   CHECK(p3.pull(side(1, 0.5, 1), nobody) == 0);
   CHECK(p3.pull(side(1, 0, 2), nobody) == 0);
+  CHECK(p3.pull(side(1, 0, 2), grant_of({side(1, 0, 2)})) == 0);
 }
 
 TEST_CASE("the side of a bond knows the height of its contact point") {
@@ -250,6 +251,18 @@ TEST_CASE("a bridge forms across a gap only if it would not break at once") {
   CHECK(c.settle(b, {0.31}).formations == 0);
   CHECK(c.settle(b, {0.29}).formations == 1);
   CHECK_FALSE(b.breaks(0, 0.29));
+}
+
+TEST_CASE("a share that would break at once makes no bridge, even where the whole film would hold") {
+  packing c;
+  c.radius = {1, 1, 1};
+  c.pairs = {{0, 1}, {0, 2}};
+  c.listed();
+  const auto policies = wet(volume_is_distance{}, protocol::grain_films{}, formation::within_rupture_distance{});
+  auto b = bonds_of(policies, c, {}, {0.4, 0, 0});
+  CHECK(c.settle(b, {0.3, 0.25}).formations == 0);  // 0.2 for each
+  CHECK(b.book().films()[0] == 0.4);
+  CHECK(c.settle(b, {0.3, 1}).formations == 1);
 }
 
 TEST_CASE("films do not make bridges by themselves without a protocol") {

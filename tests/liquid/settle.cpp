@@ -15,6 +15,14 @@ using namespace pendular;
 using namespace hand_made;
 
 namespace {
+/// A bridge that reaches the farther, the larger its grains are.
+struct tenth_of_the_radius {
+  template <Scalar T>
+  T distance(const bridge<T>& b, const fluid&) const {
+    return T(0.1) * b.radius_i;
+  }
+};
+
 struct scene {
   packing grains;
   std::vector<double> volume, film, before, gap;
@@ -310,4 +318,13 @@ TEST_CASE("the list must see as far as films could join grains, and no farther t
   CHECK(bonds_of(wet(law, protocol::grain_films{}), c, {0.1}, {0.3, 0.4}).reach(c.view()) == 0.1);
   CHECK(bonds_of(wet(law, protocol::grain_films{}, formation::within_rupture_distance{}), c, {0.1}, {0.3, 0.4})
             .reach(c.view()) >= 0.7);
+}
+
+TEST_CASE("the list must see as far as films could join the largest grains, and the smallest") {
+  packing c;
+  c.radius = {1, 2};
+  c.pairs = {{0, 1}};
+  c.listed();
+  const auto policies = wet(tenth_of_the_radius{}, protocol::grain_films{}, formation::within_rupture_distance{});
+  CHECK(bonds_of(policies, c, {}, {0.3, 0.4}).reach(c.view()) == 0.2);
 }

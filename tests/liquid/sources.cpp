@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 using namespace pendular;
 using namespace hand_made;
@@ -102,6 +103,18 @@ TEST_CASE("a bridge dries as V^(1/4) falls linearly in time, dV/dt = - rate time
   CHECK(b.book().outside("vapour") == within(1e-12, volume - b.book().bonds()[0]));
 }
 
+TEST_CASE("films dry where bridges do not, and bridges where films do not") {
+  const packing p = touching_pair();
+  const auto dried = [&](const source::evaporation& rates) {
+    auto b = bonds_of(wet(rupture::lian{}), p, {0.01}, {0.5, 0.5, 0.5});
+    act(b, p, rates, 1);
+    return std::pair{b.book().films()[0], b.book().bonds()[0]};
+  };
+  CHECK(dried({.film_rate = 1e-3, .bridge_rate = 0}) == std::pair{0.5 - 1e-3 * 4 * pi, 0.01});
+  const auto [film, bridge] = dried({.film_rate = 0, .bridge_rate = 1e-3});
+  CHECK((film == 0.5 && bridge < 0.01));
+}
+
 TEST_CASE("a bridge that dries below the minimum volume breaks and leaves its rest to the grains") {
   const packing p = touching_pair();
   auto b = bonds_of(wet(rupture::lian{}, formation::at_contact{.minimum_volume = 1e-3}), p, {1.001e-3}, {});
@@ -149,6 +162,35 @@ TEST_CASE("the door moves liquid between films and bridges and keeps what a brid
   door.close();
   CHECK((b.count() == 0 && b.book().films()[0] == within(1e-14, 0.4) && b.book().films()[1] == within(1e-14, 0.15)));
   CHECK(b.book().total() == within(1e-14, 1.6));
+}
+
+TEST_CASE("what the door moves onto a film is known to the dry pairs of its grain") {
+  const packing p = touching_pair();
+  auto b = bonds_of(wet(volume_is_distance{}, protocol::grain_films{}, formation::within_rupture_distance{}), p, {0.1},
+                    {0.5, 0, 0});
+  const pair_view v = p.view();
+  const auto pairs_of = [&](std::size_t grain) -> const auto& { return p.of_grain[grain]; };
+  liquid_door door(b, v, pairs_of);
+  door.from_film_to_film(0, 2, 0.2);
+  door.close();
+  CHECK(b.forms_below(1) == within(1e-14, 0.2));
+  door.break_bridge(0);
+  door.close();
+  CHECK(b.forms_below(1) == within(1e-14, 0.25));
+  CHECK(b.forms_below(0) == within(1e-14, 0.4));
+}
+
+TEST_CASE("the door makes no bridge of less than the minimum volume, and counts one that its laws are not valid for") {
+  const packing p = touching_pair();
+  auto b = bonds_of(wet(rupture::lian{}, formation::at_contact{.minimum_volume = 1e-3}), p, {}, {0.5, 0, 0});
+  const pair_view v = p.view();
+  const auto pairs_of = [&](std::size_t grain) -> const auto& { return p.of_grain[grain]; };
+  liquid_door door(b, v, pairs_of);
+  CHECK_FALSE(door.from_film_to_bridge(0, 0, 0.9e-3));
+  CHECK((b.count() == 0 && b.book().films()[0] == 0.5));
+  CHECK(door.from_film_to_bridge(0, 0, 0.4));  // valid up to 0.1 R^3
+  door.close();
+  CHECK(b.outside().rupture_law == 1);
 }
 
 TEST_CASE("the door refuses what is not there and what is no volume, in a sentence") {

@@ -57,13 +57,22 @@ TEST_CASE("the longest way is that of the fastest grain, or of what is faster") 
   CHECK(longest_way(s.particles(), 2 * fastest, 1e-6) == within(1e-15, 2e-6 * fastest));
 }
 
+TEST_CASE("of several driven grains the fastest counts, wherever its id stands") {
+  driven_grains driven;
+  driven.add({2, {1, 0, 0}, {0, 0, 0}});
+  driven.add({1, {0, 4, 3}, {0, 0, 0}});
+  driven.add({0, {0, 0, 2}, {0, 0, 0}});
+  CHECK(driven.fastest() == 5);
+}
+
 TEST_CASE("a fast wall and a fast driven grain widen the skin as a fast grain does") {
   // In one step of 1e-6 s a speed of 5 m/s is 1 % of the radius, for which a skin of sqrt(600 2 0.01 / 21) is the cheapest.
   const double wide = 0.5e-3 * std::sqrt(600 * 2 * 0.01 / 21);
   const auto range = [](double of_grain, double of_driven, double of_wall) {
     pendular::system s{material{normal::linear{1e3}},
                        boundary::walls{boundary::wall{boundary::plane{{0, 0, -1}, {0, 0, 1}},
-                                                      boundary::constant_velocity{{0, 0, of_wall}}}},
+                                                      boundary::constant_velocity{{0, 0, of_wall}}},
+                                       boundary::wall{boundary::plane{{0, 0, -2}, {0, 0, 1}}}},
                        velocity_verlet{1e-6}};
     s.add({{0, 0, 0}, 0.5e-3, 2700, {of_grain, 0, 0}});
     s.add({{0, 1, 0}, 0.5e-3, 2700});
@@ -77,6 +86,29 @@ TEST_CASE("a fast wall and a fast driven grain widen the skin as a fast grain do
   CHECK(range(0, 0, 5) == within(1e-14, wide));
 }
 
+namespace {
+/// A grain and a floor that come towards each other.
+auto meeting(double gap, double of_grain, double of_floor) {
+  pendular::system s{material{normal::linear{1e3}},
+                     boundary::walls{boundary::wall{boundary::plane{{0, 0, 0}, {0, 0, 1}},
+                                                    boundary::constant_velocity{{0, 0, of_floor}}}},
+                     velocity_verlet{1e-6}, run_options{.skin = 0.2}};
+  s.add({{0, 0, 0.5e-3 + gap}, 0.5e-3, 2700, {0, 0, -of_grain}});
+  return s;
+}
+}  // namespace
+
+TEST_CASE("a grain and a wall that come towards each other are listed before they meet") {
+  auto s = meeting(1.01e-4, 0.045, 0.1);  // just beyond the skin
+  s.run(1500);
+  CHECK(s.particles().get<column::velocity>()[0].z == within(1e-3, 2 * 0.1 + 0.045));  // elastic
+}
+
+TEST_CASE("a wall asks for a new list once it has gone half of the skin since the last") {
+  auto s = meeting(1, 0, 0.1);
+  s.run(5250);
+  CHECK(s.rebuild_count() == 11);
+}
 TEST_CASE("a scene at rest lists less than a fast one, and neither changes a bit of the result") {
   for (const double speed : {0.001, 0.5}) {
     auto chosen = gas(speed, {}), wide = gas(speed, 0.9);

@@ -104,3 +104,17 @@ TEST_CASE("the balance subtracts the work of the walls and does not count spring
   const observe::energies before{0, 1, 0, 0, 0, 30, 60, 120, 200};
   CHECK(e.turnover_since(before) == 56);  // of the walls; 14 were lost and 1 fell
 }
+
+TEST_CASE("what grains have fallen is the difference of their heights") {
+  CHECK(observe::energies{.gravity = 7}.turnover_since({.gravity = 9}) == 2);
+  CHECK(observe::energies{.gravity = -4}.turnover_since({.gravity = -9}) == 5);
+}
+
+TEST_CASE("grains that just meet do not touch") {
+  pendular::system s{material{normal::linear{100}}, boundary::walls{}, velocity_verlet{1e-3}, unchecked};
+  s.add({{0, 0, 0}, 1, kilogram});
+  s.add({{2, 0, 0}, 1, kilogram});
+  s.start();
+  CHECK(s.contacts().gap()[0] == 0);
+  CHECK(observe::coordination_of(s).contacts == 0);
+}

@@ -21,10 +21,15 @@ struct pump {
   static constexpr std::string_view account = "pump";
   std::int64_t period = 10;  // steps
   double share = 0.1;
+  double more = 0;  // of every bridge than of the one before
 
   template <class Door>
   void act(Door& door) const {
-    door.for_each_bridge([&](std::size_t pair) { door.drain_bridge(pair, share * door.bridge_at(pair).volume); });
+    double part = share;
+    door.for_each_bridge([&](std::size_t pair) {
+      door.drain_bridge(pair, part * door.bridge_at(pair).volume);
+      part += more;
+    });
   }
 };
 static_assert(Source<pump>);
@@ -108,4 +113,21 @@ TEST_CASE("a sink that asks for more than there is stops the run after a whole s
   s.run(5);
   alone.run(5);
   CHECK(pull(s) == pull(alone));
+}
+
+TEST_CASE("what a sink has taken before it asks for more than there is is given back") {
+  auto s = chain(3, pump{10, 0.5, 1});
+  auto alone = chain(3);
+  CHECK_THROWS_WITH(s.run(100), Catch::Contains("the bridge of 1 and 2"));
+  alone.run(10);
+  CHECK(s.bridges().book().bonds()[0] == alone.bridges().book().bonds()[0]);
+  CHECK(s.bridges().book().outside("pump") == 0);
+  CHECK(pull(s) == pull(alone));
+}
+
+TEST_CASE("a sink after one that throws takes nothing in that step, and what was thrown is not lost") {
+  auto s = chain(3, pump{10, 1.5}, pump{10, 0.1});
+  CHECK_THROWS_AS(s.run(100), input_error);
+  CHECK(s.step_count() == 10);
+  CHECK(s.bridges().book().outside("pump") == 0);
 }

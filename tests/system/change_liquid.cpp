@@ -88,3 +88,11 @@ TEST_CASE("a fluid that a limit refuses, or that is none, has changed nothing") 
   CHECK(s.bridges().policies().substance().surface_tension == tension);
   CHECK(s.bridges().work() == bridged_pair(20e-6, {}).bridges().work());
 }
+
+TEST_CASE("a bridge that another fluid takes out of the validity of its laws is counted once more") {
+  auto s = bridged_pair(20e-6);
+  REQUIRE(s.bridges().outside().rupture_law == 0);
+  s.change_liquid(paper(tension, 1.1));  // valid up to 1.0472
+  CHECK(s.bridges().outside().rupture_law == 1);
+  CHECK(s.bridges().outside().capillary_law == 0);
+}

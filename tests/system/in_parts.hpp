@@ -31,14 +31,17 @@ struct record {
   std::map<std::pair<std::int64_t, std::int64_t>, double> bridges;  // m3
   bits walls;
   std::int64_t ruptures = 0, formations = 0;
-  reproducible_sum liquid, damping, friction;  // m3, J
-  double here = 0;                             // m3
+  std::int64_t outside = 0;                              // bridges made beyond the validity of their laws
+  reproducible_sum liquid, damping, friction, set_free;  // m3, J
+  double driven = 0;                                     // work of what drives grains, J
+  double here = 0;                                       // m3
 
   template <class System>
   void add(const System& s) {
     add_grains(s);
     if constexpr (System::wet) add_liquid(s);
     if constexpr (System::material_type::keeps_energy_book) add_work(s);
+    driven += s.driven().work();
     walls.clear();
     s.for_each_wall([&](const auto& wall, const auto&) {
       for (const vector& v : {wall.force, wall.shape.point}) put(walls, v);
@@ -81,6 +84,8 @@ struct record {
     liquid.join(book.keep().reservoir);
     ruptures += s.events().ruptures;
     formations += s.events().formations;
+    outside += s.bridges().outside().capillary_law + s.bridges().outside().rupture_law;
+    set_free.join(s.bridges().work_sum());
     here = book.introduced();
     for (const auto& outside : book.outside()) liquid.join(outside.volume);
   }
@@ -122,11 +127,14 @@ inline void check_same(const record& whole, const record& parts) {
   CHECK(parts.walls == whole.walls);
   CHECK(parts.ruptures == whole.ruptures);
   CHECK(parts.formations == whole.formations);
+  CHECK(parts.outside == whole.outside);
   CHECK(parts.here == whole.here);
   CHECK(parts.liquid.value() == within(1e-12, whole.here));
   CHECK(whole.liquid.value() == within(1e-12, whole.here));
   CHECK(parts.damping.value() == within(1e-13, whole.damping.value()));
   CHECK(parts.friction.value() == within(1e-13, whole.friction.value()));
+  CHECK(parts.set_free.value() == within(1e-12, whole.set_free.value()));
+  CHECK(parts.driven == within(1e-12, whole.driven));
 }
 
 template <class Live>

@@ -156,6 +156,13 @@ TEST_CASE("a file that wins may not give a law another fluid than it was made fo
   std::filesystem::remove(file);
 }
 
+TEST_CASE("parameters of one name are compared in their order, as those of two sinks of one type") {
+  using list = std::vector<io::parameter>;
+  const list file{{"pump share", 1}, {"other", 0}, {"pump share", 2}};
+  CHECK(io::differences(file, file).empty());
+  CHECK(io::differences(file, list{{"pump share", 2}, {"other", 0}, {"pump share", 1}}).size() == 2);
+}
+
 TEST_CASE("a scene that would break a limit is not resumed") {
   CHECK(mentions(refusal({.stiffness = 1e7}, io::winner::program), "the time step (s), against stiffness"));
   CHECK(mentions(refusal({.stiffness = 3}, io::winner::program), "must be at most"));

@@ -79,10 +79,18 @@ TEST_CASE("an overlap beyond the limit with a wall is found as well") {
   CHECK(mentions(failure([&] { s.run(40); }), {"grain 1 at step", "overlap"}));
 }
 
+TEST_CASE("an overlap of two grains is found also where a wall is in order") {
+  pendular::system s{material{normal::linear{1e3}}, floor_plane(), velocity_verlet{1e-6}, run_options{.force = true}};
+  s.add({{-10e-3, 0, r}, r, rho});
+  s.add({{0, 0, 10 * r}, r, rho, {3, 0, 0}});
+  s.add({{2 * r + 1e-6, 0, 10 * r}, r, rho, {-3, 0, 0}});
+  CHECK(mentions(failure([&] { s.run(40); }), {"grain 1 at step", "overlaps grain 2"}));
+}
+
 TEST_CASE("a normal law that returns a value that is not finite stops the run and the grain is named") {
   auto s = colliding(material{bursting_spring{1e3}}, 0.1);
   const std::string said = failure([&] { s.run(1000); });
-  CHECK(mentions(said, {"not finite", "step " + std::to_string(s.step_count())}));
+  CHECK(mentions(said, {"not finite", "from a contact law", "step " + std::to_string(s.step_count())}));
   CHECK(mentions(said, {"grain 1"}));
 }
 

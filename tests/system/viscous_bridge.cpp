@@ -74,3 +74,19 @@ TEST_CASE("a step too long for the film is refused") {
   CHECK_THROWS_WITH(meeting(0, 0, 1e-3), Catch::Matchers::Contains("viscosity of the bridges"));
   CHECK_NOTHROW(meeting(0, 0, 1e-3, true));
 }
+
+TEST_CASE("a grain feels the films of all its bridges: two neighbours halve the step of one") {
+  const auto longest = [](int grains) {
+    auto s = meeting(0, 0, 1e-7, true);
+    if (grains == 3) {
+      s.add({.position = {2 * (2 * radius + gap), 0, 0}, .radius = radius, .density = density});
+      s.distribute_liquid(volume);  // as much for the second bridge
+    }
+    for (const scene_limit& l : s.limits()) {
+      if (l.what.find("viscosity of the bridges") != std::string::npos) return l.bound;
+    }
+    return 0.0;
+  };
+  REQUIRE(longest(2) > 0);
+  CHECK(longest(3) == within(1e-9, 0.5 * longest(2)));
+}

@@ -278,28 +278,37 @@ TEST_CASE("a bridge between grains that leave a wall together forms at the same 
   CHECK(formed_at(1) == usual);
 }
 
-TEST_CASE("a wall that jumps away leaves its liquid to the grain, in a run that goes on and in one that is resumed") {
-  const auto scene = [] {
-    return pendular::system{
-        material{normal::linear{1e3}, damping::viscous{0.3}}, glass(protocol::neighbours{}),
-        boundary::walls{
-            wall{plane{{0, 0, 0}, {0, 0, 1}}, boundary::fixed{}, none{}, boundary::wettable{}},
-            wall{plane{{0, 0, 2 * radius - 1e-7}, {0, 0, -1}}, boundary::fixed{}, none{}, boundary::wettable{}}},
-        velocity_verlet{1e-6}, run_options{.force = true}};
-  };
+namespace {
+/// For a grain that is pressed a little by both walls.
+auto between_wet_walls() {
+  return pendular::system{
+      material{normal::linear{1e3}, damping::viscous{0.3}}, glass(protocol::neighbours{}),
+      boundary::walls{
+          wall{plane{{0, 0, 0}, {0, 0, 1}}, boundary::fixed{}, none{}, boundary::wettable{}},
+          wall{plane{{0, 0, 2 * radius - 1e-7}, {0, 0, -1}}, boundary::fixed{}, none{}, boundary::wettable{}}},
+      velocity_verlet{1e-6}, run_options{.force = true}};
+}
+
+template <class System>
+System resumed(const System& s, System fresh) {
   const scratch::folder folder;
-  auto s = scene();
+  io::checkpoint_writer out(folder / "state");
+  io::save(out, s);
+  out.commit();
+  io::load(io::checkpoint_reader(folder / "state"), fresh);
+  return fresh;
+}
+}  // namespace
+
+TEST_CASE("a wall that jumps away leaves its liquid to the grain, in a run that goes on and in one that is resumed") {
+  auto s = between_wet_walls();
   s.add({.position = {0, 0, radius - 5e-8}, .radius = radius, .density = 2600});
   s.distribute_liquid(0.02 * cube);
   s.run(10);
   REQUIRE(s.bridges().count() == 2);
   boundary::get<1>(s.walls()).shape.point.z = 6 * radius;
   s.canonicalise();
-  io::checkpoint_writer out(folder / "state");
-  io::save(out, s);
-  out.commit();
-  auto fresh = scene();
-  io::load(io::checkpoint_reader(folder / "state"), fresh);
+  auto fresh = resumed(s, between_wet_walls());
   for (auto* each : {&s, &fresh}) {
     each->run(100);
     CHECK(each->bridges().count() == 1);
@@ -307,4 +316,18 @@ TEST_CASE("a wall that jumps away leaves its liquid to the grain, in a run that 
     CHECK(each->bridges().book().bonds()[each->view().first.size()] == within(1e-13, 0.02 * cube));
   }
   CHECK(s.particles().get<column::position>()[0] == fresh.particles().get<column::position>()[0]);
+}
+
+TEST_CASE("a film that reaches a grain which has long touched a wet wall makes no bridge there, resumed or not") {
+  auto s = between_wet_walls();
+  s.add({.position = {0, 0, radius - 5e-8}, .radius = radius, .density = 2600});
+  s.run(10);
+  s.canonicalise();
+  auto fresh = resumed(s, between_wet_walls());
+  for (auto* each : {&s, &fresh}) {
+    each->exchange("spray", [](auto& door) { door.wet_grain(0, 0.01 * cube); });
+    each->run(10);
+    CHECK(each->bridges().count() == 0);
+    CHECK(each->bridges().book().films()[0] == within(1e-13, 0.01 * cube));
+  }
 }

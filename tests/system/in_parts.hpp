@@ -87,7 +87,7 @@ struct record {
     outside += s.bridges().outside().capillary_law + s.bridges().outside().rupture_law;
     set_free.join(s.bridges().work_sum());
     here = book.introduced();
-    for (const auto& outside : book.outside()) liquid.join(outside.volume);
+    for (const auto& account : book.outside()) liquid.join(account.volume);
   }
 
   template <class System>

@@ -70,14 +70,7 @@ class scene_state {
   /// What a checkpoint puts back.
   rows_type& rows() { return rows_; }
 
-  /// visit(policy) for those of material and liquid and for the integrator. May be written to before the first grain is
-  /// added; later by contact_material() and change_integrator().
-  template <class Visit>
-  void for_each_policy(const Visit& visit) {
-    rows_.material().for_each_policy(visit);
-    if constexpr (wet) rows_.bridges().policies().for_each_policy(visit);
-    visit(integrator_);
-  }
+  /// visit(policy) for those of material and liquid and for the integrator.
   template <class Visit>
   void for_each_policy(const Visit& visit) const {
     rows_.material().for_each_policy(visit);

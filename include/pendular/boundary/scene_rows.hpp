@@ -21,15 +21,8 @@ namespace pendular {
 
 /// In place of a liquid: a dry scene.
 using dry = none;
-
-namespace detail {
 template <class L>
-inline constexpr bool is_liquid = false;
-template <class... Policies>
-inline constexpr bool is_liquid<liquid<Policies...>> = true;
-}  // namespace detail
-template <class L>
-concept LiquidOrNone = std::is_same_v<L, dry> || detail::is_liquid<L>;
+concept LiquidOrNone = std::is_same_v<L, dry> || requires { typename L::capillary_law; };
 
 namespace detail {
 template <class Liquid>

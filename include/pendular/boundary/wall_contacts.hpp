@@ -4,8 +4,8 @@
 #include <pendular/boundary/load_sum.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/contact/contact_rows.hpp>
+#include <pendular/core/by_id.hpp>
 #include <pendular/core/certain_sum.hpp>
-#include <pendular/space/by_id.hpp>
 #include <pendular/space/grains.hpp>
 
 #include <algorithm>

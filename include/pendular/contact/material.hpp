@@ -78,10 +78,6 @@ class material {
 
   /// visit(policy) in the order they were given.
   template <class Visit>
-  void for_each_policy(const Visit& visit) {
-    std::apply([&](auto&... policy) { (visit(policy), ...); }, policies_);
-  }
-  template <class Visit>
   void for_each_policy(const Visit& visit) const {
     std::apply([&](const auto&... policy) { (visit(policy), ...); }, policies_);
   }

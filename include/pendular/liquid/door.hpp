@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/by_id.hpp>
 #include <pendular/core/expects.hpp>
 #include <pendular/core/host.hpp>
 #include <pendular/liquid/redistribution.hpp>
-#include <pendular/space/by_id.hpp>
 
 #include <cmath>
 #include <cstddef>

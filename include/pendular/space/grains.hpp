@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/core/by_id.hpp>
 #include <pendular/core/columns.hpp>
 #include <pendular/core/expects.hpp>
 #include <pendular/core/strided.hpp>
 #include <pendular/core/vec.hpp>
-#include <pendular/space/by_id.hpp>
 
 #include <algorithm>
 #include <cmath>

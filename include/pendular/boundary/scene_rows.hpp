@@ -22,7 +22,9 @@ namespace pendular {
 /// In place of a liquid: a dry scene.
 using dry = none;
 template <class L>
-concept LiquidOrNone = std::is_same_v<L, dry> || requires { typename L::capillary_law; };
+concept LiquidOrNone = std::is_same_v<L, dry> || requires {
+  typename L::capillary_law;
+};
 
 namespace detail {
 template <class Liquid>

@@ -109,6 +109,7 @@ TEST_CASE("a wall asks for a new list once it has gone half of the skin since th
   s.run(5250);
   CHECK(s.rebuild_count() == 11);
 }
+
 TEST_CASE("a scene at rest lists less than a fast one, and neither changes a bit of the result") {
   for (const double speed : {0.001, 0.5}) {
     auto chosen = gas(speed, {}), wide = gas(speed, 0.9);

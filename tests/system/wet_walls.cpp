@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bridges between grains and walls: force against the solution of Laplace-Young for a sphere and a plane, and everything
 // that liquid does between grains done at a wall.
-#include "../io/scratch.hpp"
+#include "../open/resumed.hpp"
 #include "../physics/scenes.hpp"
 
 #include <pendular/io/system_state.hpp>
@@ -288,16 +288,6 @@ auto between_wet_walls() {
           wall{plane{{0, 0, 2 * radius - 1e-7}, {0, 0, -1}}, boundary::fixed{}, none{}, boundary::wettable{}}},
       velocity_verlet{1e-6}, run_options{.force = true}};
 }
-
-template <class System>
-System resumed(const System& s, System fresh) {
-  const scratch::folder folder;
-  io::checkpoint_writer out(folder / "state");
-  io::save(out, s);
-  out.commit();
-  io::load(io::checkpoint_reader(folder / "state"), fresh);
-  return fresh;
-}
 }  // namespace
 
 TEST_CASE("a wall that jumps away leaves its liquid to the grain, in a run that goes on and in one that is resumed") {
@@ -307,7 +297,6 @@ TEST_CASE("a wall that jumps away leaves its liquid to the grain, in a run that 
   s.run(10);
   REQUIRE(s.bridges().count() == 2);
   boundary::get<1>(s.walls()).shape.point.z = 6 * radius;
-  s.canonicalise();
   auto fresh = resumed(s, between_wet_walls());
   for (auto* each : {&s, &fresh}) {
     each->run(100);
@@ -322,7 +311,6 @@ TEST_CASE("a film that reaches a grain which has long touched a wet wall makes n
   auto s = between_wet_walls();
   s.add({.position = {0, 0, radius - 5e-8}, .radius = radius, .density = 2600});
   s.run(10);
-  s.canonicalise();
   auto fresh = resumed(s, between_wet_walls());
   for (auto* each : {&s, &fresh}) {
     each->exchange("spray", [](auto& door) { door.wet_grain(0, 0.01 * cube); });

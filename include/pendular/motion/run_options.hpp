@@ -12,7 +12,7 @@ namespace pendular {
 struct run_options {
   std::optional<double> skin = {};  // of the Verlet list, in units of the smallest radius; empty: the cheapest
   double overlap_limit = 0.1;       // a larger overlap, in units of the smaller radius, stops the run
-  double domain_margin = 10;        // a grain this many sizes of the first packing away from it is lost
+  double domain_margin = 10;        // a grain this many sizes of the packing away from it is lost
   bool force = false;               // run even if the scene breaks a limit
 };
 

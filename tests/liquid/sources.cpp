@@ -218,12 +218,14 @@ TEST_CASE("the door refuses what is not there and what is no volume, in a senten
   CHECK_FALSE(message([&] { door.fill_bridge(0, HUGE_VAL); }).empty());
   CHECK_FALSE(message([&] { door.from_film_to_film(2, 0, std::nan("")); }).empty());
   CHECK(message([&] { door.wet_grain(3, 0.1); }) ==
-        "the row of a grain at a door is 3, but must be less than the 3 that are there (see docs/reference/liquid.md)");
+        "the row of a grain at a door is 3, but must be one that the door visits (see docs/reference/liquid.md)");
   CHECK_FALSE(message([&] { door.dry_grain(3, 0.1); }).empty());
   CHECK_FALSE(message([&] { door.from_film_to_film(0, 3, 0.1); }).empty());
   CHECK_FALSE(message([&] { door.from_film_to_bridge(0, 99, 0.1); }).empty());
   CHECK_FALSE(message([&] { door.from_bridge_to_film(99, 0, 0.1); }).empty());
   CHECK_FALSE(message([&] { door.fill_bridge(99, 0.1); }).empty());
+  REQUIRE(v.is_padding(2));
+  CHECK_FALSE(message([&] { door.fill_bridge(2, 0.1); }).empty());
   CHECK_FALSE(message([&] { door.drain_bridge(99, 0.0); }).empty());
   CHECK_FALSE(message([&] { door.break_bridge(99); }).empty());
   CHECK(b.book().total() == within(1e-15, 1.6));

@@ -106,7 +106,7 @@ class liquid_door {
   }
   /// Its liquid goes to the films of its grains as that of any broken bridge.
   void break_bridge(std::size_t pair) {
-    expect_row("pair", pair, view_.rows());
+    expect_row("pair", pair, pair < view_.rows() && !view_.is_padding(pair));
     if (!is_bridged(pair)) return;
     view_.for_each_grain_of(pair, [&](std::size_t grain) { touch(grain); });
     detail::break_bond(bonds_, bridge_change::emptied, pair, view_.gap(pair), view_);
@@ -134,14 +134,14 @@ class liquid_door {
   static constexpr auto page = "docs/reference/liquid.md";
 
   void touch(std::size_t grain) {
-    expect_row("grain", grain, grains());
+    expect_row("grain", grain, grain < grains());
     touched_.push_back(grain);
   }
 
-  static void expect_row(std::string_view of_what, std::size_t row, std::size_t rows) {
-    if (row < rows) return;
+  static void expect_row(std::string_view of_what, std::size_t row, bool is_there) {
+    if (is_there) return;
     expects(false, "the row of a " + std::string(of_what) + " at a door", static_cast<double>(row),
-            "less than the " + std::to_string(rows) + " that are there", page);
+            "one that the door visits", page);
   }
 
   static void expect_there(double volume, double there, const std::string& of_what) {
@@ -149,12 +149,12 @@ class liquid_door {
             "at least 0 and at most the " + detail::number(there) + " that are there", page);
   }
   void expect_film(std::size_t grain, double volume) const {
-    expect_row("grain", grain, grains());
+    expect_row("grain", grain, grain < grains());
     if (volume >= 0 && volume <= film(grain)) return;
     expect_there(volume, film(grain), "the film of grain " + std::to_string(id(grain)));
   }
   void expect_bridge(std::size_t pair, double volume) const {
-    expect_row("pair", pair, view_.rows());
+    expect_row("pair", pair, pair < view_.rows() && !view_.is_padding(pair));
     const double there = bonds_.book().bonds()[pair];
     if (volume >= 0 && volume <= there) return;
     const auto [i, j] = ids(pair);
@@ -168,7 +168,7 @@ class liquid_door {
   }
 
   bool fill(ledger::account from, std::size_t pair, double volume) {
-    expect_row("pair", pair, view_.rows());
+    expect_row("pair", pair, pair < view_.rows() && !view_.is_padding(pair));
     const double gap = view_.gap(pair);
     if (volume == 0 || !can_hold(pair, volume, gap)) return false;
     if (!is_bridged(pair)) bonds_.note(bridge_change::formed, pair, gap, volume, view_);

@@ -5,6 +5,8 @@
 #include <pendular/core/expects.hpp>
 #include <pendular/core/extremes.hpp>
 #include <pendular/core/host.hpp>
+#include <pendular/core/never.hpp>
+#include <pendular/core/none.hpp>
 #include <pendular/liquid/protocol/homogeneous.hpp>
 #include <pendular/motion/advance.hpp>
 #include <pendular/motion/observer.hpp>
@@ -20,6 +22,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -155,12 +158,8 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
 
   /// Errors: input_error for less than 0 steps; run_error, naming grain, step and cause; whatever an observer or a source
   /// throws, after a whole step.
-  void run(std::int64_t steps) {
-    null_observer nobody;
-    run(steps, nobody);
-  }
-  template <class Watcher>
-  void run(std::int64_t steps, Watcher&& observer) {
+  template <class Watcher = null_observer>
+  void run(std::int64_t steps, Watcher&& observer = {}) {
     using watcher = std::remove_cvref_t<Watcher>;
     static_assert(Observer<watcher, system>,
                   "an observer is called with `const system&`, or has a `notice(const bridge_event&)`, or both "
@@ -280,9 +279,9 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
   /// grains that are taken out.
   void rebuild(bool standing, double reach = 0, std::span<const char> gone = {}) {
     together(host(), [&] { check_grains(grains_, domain_, steps_); });
-    const double small = extremes_of(grains_.template get<column::radius>(), host()).smallest;
+    const double smallest = extremes_of(grains_.template get<column::radius>(), host()).smallest;
     const double way = host().most(longest_way(grains_, fastest_driven(), integrator_.time_step));
-    const double skin = small * options_.skin.value_or(cheapest_skin(way / small));
+    const double skin = smallest * options_.skin.value_or(cheapest_skin(way / smallest));
     double range = skin;
     if constexpr (wet) {
       const pair_view before = view();
@@ -360,6 +359,19 @@ class system : public scene_state<Material, Liquid, Boundary, Integration, H, Ta
     if (asked) near_.expire(liquid_now().outgrows_list(near_.skin()));  // liquid may have gathered on a grain
   }
 };
+
+/// What other arguments deduce: a sentence.
+template <class... Parts>
+class system<std::tuple<Parts...>, none, none, none> {
+  static_assert(detail::never<std::tuple<Parts...>>,
+                "a system is made of a material, a liquid (or nothing), a boundary such as boundary::walls{} and an "
+                "integrator, in this order, then tags and run_options where wanted (docs/reference/system.md)");
+
+ public:
+  explicit system(const Parts&...) {}
+};
+template <class... Parts>
+system(const Parts&...) -> system<std::tuple<Parts...>, none, none, none>;
 
 template <class... M, LiquidOrNone L, class Boundary, class Integration>
 system(const material<M...>&, const L&, const Boundary&, const Integration&, run_options = {})

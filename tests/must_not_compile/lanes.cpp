@@ -5,11 +5,15 @@
 // expect 4: lanes are several numbers, of which none is the value
 // expect 5: the number of lanes is a power of two
 // expect 6: lanes are of double or of float
-#include <pendular/core/lanes.hpp>
-#include <pendular/law/inputs.hpp>
-
+// expect 7: pendular and the standard library use the names min and max: define NOMINMAX
 #include <algorithm>
 #include <cmath>
+
+#if PENDULAR_MISTAKE == 7
+#define max(a, b) ((a) > (b) ? (a) : (b))
+#endif
+#include <pendular/core/lanes.hpp>
+#include <pendular/law/inputs.hpp>
 
 using namespace pendular;
 

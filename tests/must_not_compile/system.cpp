@@ -5,6 +5,8 @@
 // expect 4: a wall with friction needs grains with friction
 // expect 5: a wall with friction::viscous_coulomb needs grains with it too
 // expect 6: an observer is called with `const system&`, or has a `notice(const bridge_event&)`, or both
+// expect 7: a system is made of a material, a liquid (or nothing), a boundary such as boundary::walls{} and an integrator
+// expect 8: a system is made of a material, a liquid (or nothing), a boundary such as boundary::walls{} and an integrator
 #include <pendular/boundary/cylinder.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/friction/coulomb_spring.hpp>
@@ -49,7 +51,13 @@ double settled_energy() {
 #else
   const boundary::walls walls{boundary::wall{ground}};
 #endif
+#if PENDULAR_MISTAKE == 7
+  pendular::system scene{glass, integrator};
+#elif PENDULAR_MISTAKE == 8
+  pendular::system scene{glass, walls, none{}, integrator};
+#else
   pendular::system scene{glass, walls, integrator};
+#endif
   scene.add({{0, 0, 1e-3}, 1e-3, 2600});
 #if PENDULAR_MISTAKE == 6
   scene.run(10, [](const bridge_event&) {});

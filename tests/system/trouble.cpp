@@ -76,7 +76,7 @@ TEST_CASE("an overlap beyond the limit with a wall is found as well") {
   pendular::system s{material{normal::linear{1e3}}, floor_plane(), velocity_verlet{1e-6}, run_options{.force = true}};
   s.add({{-10e-3, 0, 10 * r}, r, rho});
   s.add({{0, 0, r + 1e-6}, r, rho, {0, 0, -6}});
-  CHECK(mentions(failure([&] { s.run(40); }), {"grain 1 at step", "overlap"}));
+  CHECK(mentions(failure([&] { s.run(40); }), {"grain 1 at step", "overlaps wall 0 by", "limit of 0.1"}));
 }
 
 TEST_CASE("an overlap of two grains is found also where a wall is in order") {
@@ -104,7 +104,17 @@ TEST_CASE("a friction law that returns a value that is not finite stops the run"
 TEST_CASE("a law that returns a value that is not finite at a wall stops the run") {
   pendular::system s{material{bursting_spring{1e3}}, floor_plane(), velocity_verlet{1e-6}, run_options{.force = true}};
   s.add({{0, 0, r + 1e-6}, r, rho, {0, 0, -0.1}});
-  CHECK(mentions(failure([&] { s.run(1000); }), {"grain 0 at step", "not finite"}));
+  CHECK(mentions(failure([&] { s.run(1000); }), {"grain 0 at step", "and wall 0 at a gap of", "not finite"}));
+}
+
+TEST_CASE("trouble at the second of two walls names the second") {
+  pendular::system s{material{normal::linear{1e3}},
+                     boundary::walls{boundary::wall{boundary::plane{{0, 0, 0}, {0, 0, 1}}},
+                                     boundary::wall{boundary::plane{{0, 0, 20 * r}, {0, 0, -1}}}},
+                     velocity_verlet{1e-6}, run_options{.force = true}};
+  s.add({{0, 0, 2 * r}, r, rho});
+  s.add({{0, 0, 19 * r - 1e-6}, r, rho, {0, 0, 6}});
+  CHECK(mentions(failure([&] { s.run(40); }), {"grain 1 at step", "overlaps wall 1 by"}));
 }
 
 TEST_CASE("a grain that no wall holds is lost with its name, step and place") {

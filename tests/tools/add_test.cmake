@@ -44,5 +44,5 @@ function(pendular_add_must_not_compile source)
       -D "system=$<TARGET_PROPERTY:pendular,INTERFACE_INCLUDE_DIRECTORIES>"
       -D "implicit=${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES}"
       -P "${PROJECT_SOURCE_DIR}/tests/tools/must_not_compile.cmake")
-  set_tests_properties(${name} PROPERTIES LABELS must_not_compile TIMEOUT 120)
+  set_tests_properties(${name} PROPERTIES LABELS must_not_compile TIMEOUT 240)
 endfunction()

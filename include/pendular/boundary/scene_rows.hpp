@@ -179,8 +179,9 @@ class scene_rows {
     together(host, [&] {
       if (!found.trouble) return;
       report_pair_trouble(g, list, contacts_, clock.overlap_limit, clock.step);
+      std::size_t number = 0;
       for_each_wall([&](const auto&, const auto& contacts) {
-        report_wall_trouble(g, contacts, clock.overlap_limit, clock.step);
+        report_wall_trouble(g, contacts, number++, clock.overlap_limit, clock.step);
       });
       report_hidden_trouble(clock.step);
     });

@@ -221,12 +221,12 @@ class wall_contacts : public contact_rows<Material, bonds_at<Wall, Bonds>, Rotat
   static std::vector<std::int32_t> grains_near(const Grains& g, const Wall& w, double range) {
     const auto position = g.template get<column::position>();
     const auto radius = g.template get<column::radius>();
-    std::vector<std::int32_t> near;
+    std::vector<std::int32_t> within;
     for (std::size_t row = 0; row < g.kept(); ++row) {
-      if (w.shape.meet(position[row], radius[row]).gap < range) near.push_back(static_cast<std::int32_t>(row));
+      if (w.shape.meet(position[row], radius[row]).gap < range) within.push_back(static_cast<std::int32_t>(row));
     }
-    sort_by_id(near, g.template get<column::id>());
-    return near;
+    sort_by_id(within, g.template get<column::id>());
+    return within;
   }
 
   std::vector<std::int32_t> places_before(std::span<const std::int32_t> now,

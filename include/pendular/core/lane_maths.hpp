@@ -145,10 +145,10 @@ lanes<W> pow(A x, const lanes<W>& exponent) {
 template <int W>
 lanes<W> cbrt(const lanes<W>& x) {
   const lanes<W> size = abs(x);
-  const auto small = size < 1e-280;  // whose cube would have too few digits
-  const lanes<W> scaled = select(small, size * 0x1p300, size), guess = exp(log(scaled) / 3.0);
+  const auto is_small = size < 1e-280;  // whose cube would have too few digits
+  const lanes<W> scaled = select(is_small, size * 0x1p300, size), guess = exp(log(scaled) / 3.0);
   const lanes<W> better = guess - (guess * guess * guess - scaled) / (3.0 * guess * guess);
-  const lanes<W> root = select(small, better * 0x1p-100, better);
+  const lanes<W> root = select(is_small, better * 0x1p-100, better);
   return select(size > 0.0 && size < detail::infinity, select(x < 0.0, -root, root), x);
 }
 
@@ -179,18 +179,18 @@ template <int W>
 lanes<W> sin(const lanes<W>& x) {
   const auto q = detail::quarter_of(x);
   const lanes<W> size = select(abs(q.turn) == 1.0, q.cosine, q.sine);
-  const lanes<W> near = select(x == 0.0, x, select(q.turn < 0.0 || q.turn > 1.0, -size, size));  // minus zero stays
-  const auto far = abs(x) > detail::farthest_angle;
-  return any(far) ? select(far, detail::one_by_one([](double v) { return std::sin(v); }, x), near) : near;
+  const lanes<W> reduced = select(x == 0.0, x, select(q.turn < 0.0 || q.turn > 1.0, -size, size));  // minus zero stays
+  const auto is_far = abs(x) > detail::farthest_angle;
+  return any(is_far) ? select(is_far, detail::one_by_one([](double v) { return std::sin(v); }, x), reduced) : reduced;
 }
 
 template <int W>
 lanes<W> cos(const lanes<W>& x) {
   const auto q = detail::quarter_of(x);
   const lanes<W> size = select(abs(q.turn) == 1.0, q.sine, q.cosine);
-  const lanes<W> near = select(abs(q.turn) > 1.0 || q.turn == 1.0, -size, size);
-  const auto far = abs(x) > detail::farthest_angle;
-  return any(far) ? select(far, detail::one_by_one([](double v) { return std::cos(v); }, x), near) : near;
+  const lanes<W> reduced = select(abs(q.turn) > 1.0 || q.turn == 1.0, -size, size);
+  const auto is_far = abs(x) > detail::farthest_angle;
+  return any(is_far) ? select(is_far, detail::one_by_one([](double v) { return std::cos(v); }, x), reduced) : reduced;
 }
 
 template <int W>

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#if defined(min) || defined(max)
+#error                                                                                                                 \
+    "pendular and the standard library use the names min and max: define NOMINMAX before <windows.h>, or #undef the macros (docs/how-to/cmake.md)"
+#endif
+
 #include <cmath>
 #include <concepts>
 #include <type_traits>

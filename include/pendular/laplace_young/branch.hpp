@@ -66,7 +66,7 @@ class branch {
       const auto next = above();
       const auto [inside, predicted] = predict(*(next - 1), *next, distance);
       if (const auto z = newton_.solve(predicted, held_value_, corrector::at(gap, distance));
-          z && near(*z, predicted)) {
+          z && is_near(*z, predicted)) {
         return z;
       }
       if (!insert(next, inside)) return next->z;  // as near as a double can tell
@@ -84,7 +84,7 @@ class branch {
  private:
   bool stable(const point& p) const { return p.singularity * sign_ > 0 && p.ahead[gap] > 0; }
 
-  static bool near(const vector6& a, const vector6& b) { return (a - b).cwiseAbs().maxCoeff() < 0.3; }
+  static bool is_near(const vector6& a, const vector6& b) { return (a - b).cwiseAbs().maxCoeff() < 0.3; }
 
   std::optional<point> step_from(const point& p, double step) const {
     const vector6 guess = p.z + step * p.ahead;

@@ -144,13 +144,13 @@ class laplace_young {
   /// The last numbers that the table has for a bridge, from `First`: coefficients of P, then D_r / V^{1/3}.
   template <std::size_t First, class T>
   auto numbers(const bridge<T>& b) const {
-    const T small = min(b.radius_i, b.radius_j), large = max(b.radius_i, b.radius_j);
-    const T part = small / large;
+    const T smaller = min(b.radius_i, b.radius_j), larger = max(b.radius_i, b.radius_j);
+    const T part = smaller / larger;
     const T contrast = cbrt(max(T((T(1) - part) / (T(1) + part)), T(tiny)));
-    const T mean = sqrt(T(small * large));
+    const T mean = sqrt(T(smaller * larger));
     auto p = table_->evaluate<First>(volume_root(b.volume, mean), T(min(contrast, T(table::most_contrast()))));
     const T at_wall = unit_step(T(T(1 / largest_grain_ratio) - part));  // lane by lane, so both are needed
-    const auto plane = table_->at_plane<First>(volume_root(b.volume, small));
+    const auto plane = table_->at_plane<First>(volume_root(b.volume, smaller));
     for (std::size_t k = 0; k < p.size(); ++k) p[k] = T(p[k] + at_wall * (plane[k] - p[k]));
     return p;
   }

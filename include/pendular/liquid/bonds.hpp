@@ -196,9 +196,9 @@ class bonds {
     });
     // Of copies not all bridges are here; what they have in all is more and known to their keepers.
     const double most = 2 * std::max(extremes_of(liquid, host).largest, 0.0);
-    const auto [small, large] = extremes_of(view.radius, host);
-    if (!(large > 0)) return 0;
-    return liquid_.formation().reach(std::max(farthest_of(view, small, most), farthest_of(view, large, most)));
+    const auto [smallest, largest] = extremes_of(view.radius, host);
+    if (!(largest > 0)) return 0;
+    return liquid_.formation().reach(std::max(farthest_of(view, smallest, most), farthest_of(view, largest, most)));
   }
 
   /// Rupture distance of a bridge of this volume between grains of this radius, or at a wall that carries bridges, m.

@@ -310,8 +310,8 @@ double homogeneous_reach(const bonds<Liquid>& b, const pair_view& view, const st
                          double liquid_volume, const H& host = {}) {
   const double alpha = possible_alpha(all, liquid_volume, host).high;
   double farthest = 0;
-  const auto [small, large] = extremes_of(view.radius, host);
-  for (const double r : {small, large}) farthest = std::max(farthest, b.farthest_of(view, r, alpha * r * r * r));
+  const auto [smallest, largest] = extremes_of(view.radius, host);
+  for (const double r : {smallest, largest}) farthest = std::max(farthest, b.farthest_of(view, r, alpha * r * r * r));
   return farthest;
 }
 

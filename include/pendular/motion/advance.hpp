@@ -88,21 +88,21 @@ namespace detail {
 // it, and a call per grain costs a tenth of a step.
 template <class Motion>
 PENDULAR_FLATTEN bool predict_range(const Motion move, std::size_t begin, std::size_t end) {
-  bool far = false;
-  for (std::size_t k = begin; k < end; ++k) far |= move.predict(k);
-  return far;
+  bool away = false;
+  for (std::size_t k = begin; k < end; ++k) away |= move.predict(k);
+  return away;
 }
 
 template <class Motion, class Actions, class Walls>
 PENDULAR_FLATTEN bool correct_range(const Motion move, const pair_list::view pairs, const Actions* actions,
                                     const Walls walls, bool moving, followed_by what, std::size_t begin,
                                     std::size_t end) {
-  bool far = false;
+  bool away = false;
   for (std::size_t k = begin; k < end; ++k) {
     move.correct(k, sum_pairs(pairs.of(k), actions, move.radius(k), walls.on(k)), moving);
-    if (what == followed_by::next_step) far |= move.predict(k);
+    if (what == followed_by::next_step) away |= move.predict(k);
   }
-  return far;
+  return away;
 }
 }  // namespace detail
 

@@ -98,7 +98,7 @@ class driven_grains {
   template <class Grains>
   bool impose(Grains& g, const vector& gravity, double time_step, bool corrected, bool predicted,
               const listing& listed) {
-    bool far = false;
+    bool away = false;
     for (std::size_t k = 0; k < here_.size(); ++k) {
       const std::size_t row = here_[k].row;
       const driven_grain& d = all_[here_[k].which];
@@ -110,9 +110,9 @@ class driven_grains {
       // Contacts are weighted by inverse masses, and this is infinitely heavy.
       if constexpr (Grains::count_contacts) g.template rows<grain_row::spin>()[row].contacts = 0;
       if (corrected && row < g.kept()) add_work(g, k, gravity, time_step);
-      far |= !(norm(place.position - listed.at[row].position) < listed.allowed);
+      away |= !(norm(place.position - listed.at[row].position) < listed.allowed);
     }
-    return far;
+    return away;
   }
 
  private:

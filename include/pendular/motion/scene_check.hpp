@@ -102,8 +102,8 @@ template <class Integration, class Grains, class Material, class Walls>
 std::vector<scene_limit> contact_limits(const Integration& integrator, const Grains& g, const pair_list& list,
                                         const Material& m, const Walls& for_each_wall) {
   auto rigidities = detail::rigidities(g, list, m);
-  const double near = 0.2 * extreme_radii(g).first;  // whatever the skin
-  for_each_wall([&](const auto& wall, const auto& own) { detail::add_wall(rigidities, g, wall, own, near); });
+  const double nearby = 0.2 * extreme_radii(g).first;  // whatever the skin
+  for_each_wall([&](const auto& wall, const auto& own) { detail::add_wall(rigidities, g, wall, own, nearby); });
   const double pressure = weight_pressure(g, integrator.gravity) + lid_stress(for_each_wall);
   return {contact_step_limit(integrator, g, rigidities), viscosity_step_limit(integrator, g, rigidities, m),
           damping_limit(g, m), pressure_limit(g, m, pressure)};

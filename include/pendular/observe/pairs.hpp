@@ -42,7 +42,7 @@ inline constexpr auto push_of = [](const pair& p) { return p.push(); };
 /// nor on the neighbour list. Valid until the system changes. Errors: forces that have not been evaluated.
 template <class System>
 auto pairs(const System& s) {
-  s.expect_evaluated("observe::pairs");
+  s.expect_evaluated("an observer of pairs");
   struct looked_at {
     pair_view view;
     std::vector<std::size_t> rows;

@@ -321,8 +321,8 @@ class grains {
 template <class Grains>
 std::pair<double, double> extreme_radii(const Grains& g) {
   const auto r = g.template get<column::radius>();
-  const auto [small, large] = std::minmax_element(r.begin(), r.end());
-  return {*small, *large};
+  const auto [smallest, largest] = std::minmax_element(r.begin(), r.end());
+  return {*smallest, *largest};
 }
 
 }  // namespace pendular

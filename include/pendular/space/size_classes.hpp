@@ -97,16 +97,16 @@ class size_classes {
     classes_ = std::move(merged);
   }
 
-  static bool are_cheaper_as_one(const size_class& large, const size_class& small, double space) {
-    if (large.halo > widest_spread * small.least_halo) return false;
-    const double n_large = static_cast<double>(large.count), n_small = static_cast<double>(small.count),
+  static bool are_cheaper_as_one(const size_class& larger, const size_class& smaller, double space) {
+    if (larger.halo > widest_spread * smaller.least_halo) return false;
+    const double n_large = static_cast<double>(larger.count), n_small = static_cast<double>(smaller.count),
                  n = n_large + n_small;
-    const double in_large_cell = 8 * large.halo * large.halo * large.halo / space;
-    const double in_small_cell = 8 * small.halo * small.halo * small.halo / space;
+    const double in_large_cell = 8 * larger.halo * larger.halo * larger.halo / space;
+    const double in_small_cell = 8 * smaller.halo * smaller.halo * smaller.halo / space;
     // Half of 27 cells for the pairs of a class; a ball in cells of the other one meets about 2.75 cells in each direction
     // from the small side, and one more than two for every time that the large grain is larger from the other.
     const double within = 13.5 * (n_large * n_large * in_large_cell + n_small * n_small * in_small_cell);
-    const double across = large.halo / small.halo + 2;
+    const double across = larger.halo / smaller.halo + 2;
     const double from_small = n_small * (search_cost::line * 7.5 + 21 * n_large * in_large_cell);
     const double from_large = n_large * across * across * (search_cost::line + across * n_small * in_small_cell);
     return 13.5 * n * n * in_large_cell <= within + std::min(from_small, from_large);

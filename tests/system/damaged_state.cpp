@@ -128,7 +128,9 @@ TEST_CASE("numbers without meaning in any place of a state are refused, or the s
   const fields all = *decoded(good);
   tally seen;
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  for (const auto& [name, f] : all) {
+  for (const auto& field : all) {
+    const auto& name = field.first;  // bindings are not captured by clang 14
+    const auto& f = field.second;
     const std::size_t count = f.bytes.size() / 8;
     for (std::size_t place = 0; place < count; ++place) {
       const auto try_it = [&](auto value) {

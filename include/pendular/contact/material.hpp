@@ -41,8 +41,8 @@ consteval bool climbs_its_ladder() {
 template <class... Policies>
 class material {
   static_assert((detail::plays_in_material<Policies> && ...),
-                "every policy of a material must be a normal, damping or friction law, energy_book or none "
-                "(docs/reference/material.md)");
+                "every policy of a material must be a normal, damping or friction law, energy_book or none; "
+                "check::normal_law<my_law> says what yours lacks (docs/reference/material.md)");
   static_assert(detail::players<detail::plays_normal, Policies...>() == 1,
                 "a material needs exactly one normal law, such as normal::linear{1e3} (docs/reference/material.md)");
   static_assert(detail::players<detail::plays_damping, Policies...>() <= 1,

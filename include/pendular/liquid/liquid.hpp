@@ -61,7 +61,8 @@ template <class... Policies>
 class liquid {
   static_assert((detail::plays_in_liquid<Policies> && ...),
                 "every policy of a liquid must be a fluid, a capillary, rupture or viscous bridge law, a formation "
-                "rule, a protocol, a source or none (docs/reference/liquid.md)");
+                "rule, a protocol, a source or none; check::capillary_law<my_law> says what yours lacks "
+                "(docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_fluid, Policies...>() == 1,
                 "a liquid needs exactly one fluid, such as fluid::water() (docs/reference/liquid.md)");
   static_assert(detail::players<detail::plays_capillary, Policies...>() == 1,

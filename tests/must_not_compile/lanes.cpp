@@ -6,11 +6,14 @@
 // expect 5: the number of lanes is a power of two
 // expect 6: lanes are of double or of float
 // expect 7: pendular and the standard library use the names min and max: define NOMINMAX
+// expect 8: pendular: -ffast-math (-ffinite-math-only, -Ofast) lets NaN pass every check
 #include <algorithm>
 #include <cmath>
 
 #if PENDULAR_MISTAKE == 7
 #define max(a, b) ((a) > (b) ? (a) : (b))
+#elif PENDULAR_MISTAKE == 8
+#define __FAST_MATH__ 1
 #endif
 #include <pendular/core/lanes.hpp>
 #include <pendular/law/inputs.hpp>

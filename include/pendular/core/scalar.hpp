@@ -6,6 +6,10 @@
     "pendular and the standard library use the names min and max: define NOMINMAX before <windows.h>, or #undef the macros (docs/how-to/cmake.md)"
 #endif
 
+#if (defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ + 0) && !defined(PENDULAR_ALLOW_FAST_MATH)
+#error "pendular: -ffast-math (-ffinite-math-only, -Ofast) lets NaN pass every check: build without, or define PENDULAR_ALLOW_FAST_MATH (docs/how-to/cmake.md)"
+#endif
+
 #include <cmath>
 #include <concepts>
 #include <type_traits>

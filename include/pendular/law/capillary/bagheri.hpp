@@ -27,7 +27,7 @@ struct bagheri {
   template <Scalar T>
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const double t = f.contact_angle;
-    const T radius = harmonic_radius(b), v = reduced_volume(b.volume, radius, 1e-12), x = log(v);
+    const T radius = harmonic_radius(b), v = reduced_volume(b.volume, radius, 1e-12, 1), x = log(v);
     const T third = cbrt(v);
     const T rupture = T(1 + 0.5 * t) * radius * (third + T(0.1) * third * third);
     T contact = T(2 * std::numbers::pi) * (T(1) - T(0.3823) * pow(v, 0.2586));

@@ -22,5 +22,10 @@ template <Scalar T>
 T reduced_volume(const T& volume, const T& radius, double least) {
   return max(T(volume / T(radius * radius * radius)), T(least));
 }
+/// The same kept below `most` too, for fits that turn beyond it.
+template <Scalar T>
+T reduced_volume(const T& volume, const T& radius, double least, double most) {
+  return min(reduced_volume(volume, radius, least), T(most));
+}
 
 }  // namespace pendular::capillary

@@ -8,7 +8,7 @@ namespace pendular::capillary {
 
 /// f_c = 2 pi gamma R exp(f1 - f2 exp(f3 ln S + f4 ln^2 S)), S = (D/2) / sqrt(V_b/R): a fit to Laplace-Young with
 /// f1 to f4 polynomials in ln(V_b/R^3) and theta. For equal spheres; with the harmonic mean R for any size ratio.
-/// Below V_b/R^3 = 1e-6, where the fit turns, the polynomials stay at their values there.
+/// Below V_b/R^3 = 1e-6, where the fit turns, and above 1 the polynomials stay at their values there.
 /// Units: N from N/m, m, m3 and rad. Against Laplace-Young within 3 % (5 % at 50 degrees) up to three quarters of the
 /// rupture distance for V_b/R^3 in [1e-4, 0.1] and theta to 50 degrees; 15 to 93 % high at that gap for 1e-5.
 /// Source: C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville 2000, Langmuir 16, 9396, appendix A1.
@@ -27,7 +27,7 @@ struct willett {
   coefficients<T> prepare(const bridge<T>& b, const fluid& f) const {
     const double t = f.contact_angle, q = t * t;
     const T radius = harmonic_radius(b);
-    const T x = log(reduced_volume(b.volume, radius, 1e-6));
+    const T x = log(reduced_volume(b.volume, radius, 1e-6, 1));
     const auto cubic = [&](double a0, double a1, double a2, double a3) {
       return T(T(a0) + x * (T(a1) + x * (T(a2) + x * T(a3))));
     };

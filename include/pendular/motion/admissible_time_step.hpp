@@ -68,18 +68,25 @@ struct contact_tangent {
   }
 };
 
+/// By how much the stiffness of a friction spring counts. Charged with velocities of its own time it has a dashpot
+/// k_t dt / 2 beside it, and is stable as a spring of twice the stiffness: x'' = -w^2 x with this dashpot, of a lagging
+/// velocity, asks for 4 >= (w dt)^2 + 2 (w dt)^2 / 2.
+template <class Integration>
+constexpr double spring_weight = 2 - 2 * double(Integration::velocity_lag);
+
 template <class Material>
-void add_contact(grain_rigidity& g, const contact_tangent<Material>& t, const vector& normal) {
+void add_contact(grain_rigidity& g, const contact_tangent<Material>& t, const vector& normal, double spring_weight) {
   const Eigen::Matrix3d along = as_eigen(normal) * as_eigen(normal).transpose();
   // A solid sphere answers a tangential push with translation and rotation: 7/2 of its inverse mass.
-  g.stiffness += t.normal * along + 3.5 * t.tangential * (Eigen::Matrix3d::Identity() - along);
+  g.stiffness += t.normal * along + 3.5 * spring_weight * t.tangential * (Eigen::Matrix3d::Identity() - along);
   g.damping += t.damping * along;
   g.contacts += 1;
 }
 
 /// What grains feel at their touching pairs, and what an isolated pair would feel.
 template <class Grains, class Material>
-std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, const Material& material) {
+std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, const Material& material,
+                                       double spring_weight) {
   const auto position = g.template get<column::position>();
   const auto radius = g.template get<column::radius>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
@@ -91,13 +98,13 @@ std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, c
     if (gap >= 0) continue;
     const approach<double> a{gap, 0, 1 / (inverse_mass[i] + inverse_mass[j]), radius[i], radius[j]};
     const auto tangent = contact_tangent<Material>::of(material, a);
-    add_contact(all[i], tangent, (1 / distance) * branch);
-    add_contact(all[j], tangent, (1 / distance) * branch);
+    add_contact(all[i], tangent, (1 / distance) * branch, spring_weight);
+    add_contact(all[j], tangent, (1 / distance) * branch, spring_weight);
   }
   for (std::size_t k = 0; k < g.size(); ++k) {
     if (all[k].contacts > 0) continue;
     const approach<double> a{0, 0, 0.5 / inverse_mass[k], radius[k], radius[k]};
-    add_contact(all[k], contact_tangent<Material>::of(material, a), vector{0, 0, 1});
+    add_contact(all[k], contact_tangent<Material>::of(material, a), vector{0, 0, 1}, spring_weight);
   }
   return all;
 }
@@ -108,7 +115,7 @@ namespace detail {
 /// The grains within `reach` of a wall feel it as if they touched it.
 template <class Grains, class Wall, class Material>
 void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const Material& material,
-              double reach) {
+              double reach, double spring_weight) {
   const auto position = g.template get<column::position>();
   const auto radius = g.template get<column::radius>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
@@ -116,13 +123,14 @@ void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wal
     const auto m = wall.shape.meet(position[row], radius[row]);
     if (m.gap > reach) continue;
     const approach<double> a{m.gap, 0, 1 / inverse_mass[row], radius[row], std::numeric_limits<double>::infinity()};
-    add_contact(all[row], contact_tangent<Material>::of(material, a), m.normal);
+    add_contact(all[row], contact_tangent<Material>::of(material, a), m.normal, spring_weight);
   }
 }
 }  // namespace detail
 
 /// Time step against the stability limit of elastic contacts and dashpots. Twice the largest eigenvalue of a grain's
-/// own stiffness over its mass bounds every frequency of the packing: (a - b)^2 <= 2 a^2 + 2 b^2 at each contact.
+/// own stiffness over its mass bounds every frequency of the packing: (a - b)^2 <= 2 a^2 + 2 b^2 at each contact. `all`
+/// is weighted for this integrator.
 template <class Integration, class Grains>
 scene_limit contact_step_limit(const Integration& integrator, const Grains& g,
                                const std::vector<detail::grain_rigidity>& all) {

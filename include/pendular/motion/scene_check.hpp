@@ -101,9 +101,10 @@ double weight_pressure(const Grains& g, const vector& gravity) {
 template <class Integration, class Grains, class Material, class Walls>
 std::vector<scene_limit> contact_limits(const Integration& integrator, const Grains& g, const pair_list& list,
                                         const Material& m, const Walls& for_each_wall) {
-  auto rigidities = detail::rigidities(g, list, m);
+  constexpr double weight = detail::spring_weight<Integration>;
+  auto rigidities = detail::rigidities(g, list, m, weight);
   const double nearby = 0.2 * extreme_radii(g).first;  // whatever the skin
-  for_each_wall([&](const auto& wall, const auto& own) { detail::add_wall(rigidities, g, wall, own, nearby); });
+  for_each_wall([&](const auto& wall, const auto& own) { detail::add_wall(rigidities, g, wall, own, nearby, weight); });
   const double pressure = weight_pressure(g, integrator.gravity) + lid_stress(for_each_wall);
   return {contact_step_limit(integrator, g, rigidities), viscosity_step_limit(integrator, g, rigidities, m),
           damping_limit(g, m), pressure_limit(g, m, pressure)};

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The limit of the time step against the integrators themselves: grains held together by a constant pull, undamped and
+// without sliding, run just below it and just above.
+#include "../catch.hpp"
+
+#include <pendular/boundary/wall.hpp>
+#include <pendular/law/capillary/constant.hpp>
+#include <pendular/law/damping/viscous.hpp>
+#include <pendular/law/friction/coulomb_spring.hpp>
+#include <pendular/law/normal/linear.hpp>
+#include <pendular/law/rupture/lian.hpp>
+#include <pendular/system.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace pendular;
+
+namespace {
+constexpr double r = 0.5e-3, rho = 2600, stiff = 1e3, pull = 1e-3 * stiff * r;
+using place = std::vector<vector>;
+
+template <class System>
+double kinetic(const System& s) {
+  const auto& g = s.particles();
+  double sum = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const vector v = g.template get<column::velocity>()[k];
+    sum += 0.5 * dot(v, v) / g.template get<column::inverse_mass>()[k];
+    if constexpr (System::grains_type::rotate) {
+      const vector w = g.template get<column::angular_velocity>()[k];
+      sum += 0.2 * r * r * dot(w, w) / g.template get<column::inverse_mass>()[k];
+    }
+  }
+  return sum;
+}
+
+/// By how much the kinetic energy grows over 2000 steps of this many limits, after a push in all directions.
+template <class Integration, class Material>
+double growth(const Material& m, const place& centres, double limits) {
+  const fluid liquid_in{pull / (2 * std::numbers::pi * r), 0, 1000, 0};
+  pendular::system s{m, liquid{liquid_in, capillary::constant{}, rupture::lian{}}, boundary::walls{}, Integration{1e-9},
+                     run_options{.overlap_limit = 0.9, .domain_margin = 1e6, .force = true}};
+  for (const vector& c : centres) s.add({c, r, rho});
+  s.distribute_liquid(0.1 * r * r * r * static_cast<double>(centres.size()));
+  s.change_integrator(Integration{limits * s.limits()[0].bound});
+  double turn = 1;
+  for (vector& v : s.particles().template get<column::velocity>()) {
+    v = {1e-6 * std::sin(turn), 1e-6 * std::sin(2.3 * turn), 1e-6 * std::cos(1.7 * turn)};
+    turn += 1;
+  }
+  const double before = kinetic(s);
+  s.run(2000);
+  return kinetic(s) / before;
+}
+
+place chain(int count) {
+  place all;
+  for (int k = 0; k < count; ++k) all.push_back({k * (2 * r - pull / stiff), 0, 0});
+  return all;
+}
+
+/// Face-centred cubic, two cells wide.
+place crystal() {
+  const double a = (2 * r - pull / stiff) * std::numbers::sqrt2;
+  place all;
+  for (int cell = 0; cell < 8; ++cell) {
+    const vector corner{cell & 1 ? a : 0, cell & 2 ? a : 0, cell & 4 ? a : 0};
+    for (const vector& c : {vector{0, 0, 0}, {0, 0.5 * a, 0.5 * a}, {0.5 * a, 0, 0.5 * a}, {0.5 * a, 0.5 * a, 0}}) {
+      all.push_back(corner + c);
+    }
+  }
+  return all;
+}
+
+template <class Integration>
+void stable_below_its_limit(double tangential) {
+  const material sticky{normal::linear{stiff}, friction::coulomb_spring{tangential * stiff, 100}};
+  CAPTURE(Integration::velocity_lag, tangential);
+  for (const place& centres : {chain(2), chain(10), crystal()}) {
+    CAPTURE(centres.size());
+    CHECK(growth<Integration>(sticky, centres, 0.995) < 100);
+  }
+  CHECK(growth<Integration>(sticky, chain(2), 1.02) > 1e3);
+}
+}  // namespace
+
+TEST_CASE("packings with friction springs are stable up to the limit, a pair not beyond it") {
+  for (const double tangential : {0.1, 0.3, 0.8, 2.0}) {
+    stable_below_its_limit<velocity_verlet>(tangential);
+    stable_below_its_limit<half_step_velocity_verlet>(tangential);
+  }
+}
+
+TEST_CASE("packings with springs and dashpots are stable up to the limit") {
+  for (const double rate : {0.0, 0.5, 0.9}) {
+    const material m{normal::linear{stiff}, damping::viscous{rate}, friction::coulomb_spring{0.8 * stiff, 100}};
+    CAPTURE(rate);
+    CHECK(growth<velocity_verlet>(m, crystal(), 0.995) < 100);
+    CHECK(growth<half_step_velocity_verlet>(m, crystal(), 0.995) < 100);
+  }
+}

@@ -49,6 +49,21 @@ TEST_CASE("at fixed suction a bridge takes a little liquid, loses it and breaks 
   CHECK(volumes.back() < 0.5 * *top);
 }
 
+TEST_CASE("of the two bridges that have a suction at a gap it is that with more liquid") {
+  const double suction = 10 * tension / radius, gap = 0.05 * radius, cube = radius * radius * radius;
+  const auto s = solve_at_suction(bridge(1, 0, 1), gap, suction);
+  REQUIRE(s);
+  CHECK(s->volume == within(1e-3, 0.017945 * cube));
+  // the other one, by halving
+  double low = 1e-4 * cube, high = 2e-4 * cube;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (low + high);
+    (solve(bridge(1, 0, middle / cube), gap)->suction < suction ? low : high) = middle;
+  }
+  CHECK(solve(bridge(1, 0, low / cube), gap)->suction == within(1e-6, suction));
+  CHECK(low < 0.01 * s->volume);
+}
+
 TEST_CASE("a liquid above the pressure of the gas is found too, on the side of less liquid") {
   // k falls to -6.48/R at V = 4.6e-3 R^3 and rises again
   const double angle = 80 * std::numbers::pi / 180;

@@ -96,7 +96,8 @@ inline std::optional<state> solve(const liquid_bridge& b, double gap) { return b
 inline double rupture_distance(const liquid_bridge& b) { return bridges_of_volume(b).rupture_distance(); }
 
 /// The bridge that is reached from contact at a suction held fixed, Pa; nothing beyond the gap at which it breaks then,
-/// or if touching bodies hold no such bridge. The volume of `b` is not used.
+/// or if touching bodies hold no such bridge. Of two touching ones it is that with less liquid; of two at a gap, which have
+/// the suction up to where both end, that with more, the stable one. The volume of `b` is not used.
 inline std::optional<state> solve_at_suction(liquid_bridge b, double gap, double suction) {
   const double unit = detail::unit_of(b);
   b.volume = unit * unit * unit;  // not used

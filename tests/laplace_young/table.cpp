@@ -147,6 +147,18 @@ TEST_CASE("beyond its ratios and volumes the table law stays near the solver and
   CHECK_FALSE(capillary::laplace_young::valid.covers({0, 0.9e-6, 1, 1}, f));
 }
 
+TEST_CASE("a closed contact is pushed at large angles and volumes, by the table as by the solver") {
+  const fluid f = water(79);
+  const capillary::laplace_young law(f);
+  const double unit = 2 * std::numbers::pi * f.surface_tension * radius;
+  for (const auto& [v, pull] : {std::pair{1e-2, 0.0496}, {1e-1, -0.0602}}) {
+    const bridge<double> b{0, v * radius * radius * radius, radius, radius};
+    const auto exact = laplace_young::solve({b.radius_i, b.radius_j, f.contact_angle, b.volume, f.surface_tension}, 0);
+    CHECK(exact->attraction == near(1e-4 * unit, pull * unit));
+    CHECK(law.attraction(b, f) == near(1e-4 * unit, exact->attraction));
+  }
+}
+
 TEST_CASE("the slope of the force is a number, for equal spheres and at rupture too") {
   const fluid f = water(0);
   const capillary::laplace_young law(f);

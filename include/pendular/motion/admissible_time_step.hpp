@@ -109,9 +109,6 @@ std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, c
   return all;
 }
 
-}  // namespace detail
-
-namespace detail {
 /// The grains within `reach` of a wall feel it as if they touched it.
 template <class Grains, class Wall, class Material>
 void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const Material& material,

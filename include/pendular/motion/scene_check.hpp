@@ -12,10 +12,6 @@ namespace pendular {
 /// Grains must stay nearly rigid: overlaps that bend the geometry falsify gaps and bridges.
 inline constexpr double least_stiffness_number = 1e3;  // k_n d / force, Richefeu et al. 2007 scenes are near 4e3
 
-namespace detail {
-inline double square(double x) { return x * x; }
-}  // namespace detail
-
 /// Damping of every touching pair below critical, as the ratio c / (2 sqrt(m k)).
 template <class Grains, class Material>
 scene_limit damping_limit(const Grains& g, const Material& material) {

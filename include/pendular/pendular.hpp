@@ -3,6 +3,7 @@
 
 // Everything, for the impatient. Library headers never include this one.
 #include <pendular/boundary/cylinder.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/boundary/turning.hpp>
 #include <pendular/law/all.hpp>
 #include <pendular/law/check.hpp>

@@ -3,6 +3,7 @@
 #include "../catch.hpp"
 
 #include <pendular/boundary/cylinder.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/boundary/turning.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/boundary/wall_contacts.hpp>

@@ -3,6 +3,7 @@
 #include "../found.hpp"
 
 #include <pendular/boundary/rimmed_cylinder.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/boundary/turning.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/testing/boundary.hpp>

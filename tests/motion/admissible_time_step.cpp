@@ -4,6 +4,7 @@
 #include "../catch.hpp"
 
 #include <pendular/boundary/plane.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/core/as_eigen.hpp>
 #include <pendular/law/capillary/richefeu.hpp>
 #include <pendular/law/damping/viscous.hpp>
@@ -243,4 +244,20 @@ TEST_CASE("walls stiffen the grains that touch them: a chain of two between two 
   pendular::system s{material{spring}, vice, velocity_verlet{1e-7}};
   fill(s, {{{0.4999e-3, 0, 0}, 0.5e-3, 2600}, {{1.4998e-3, 0, 0}, 0.5e-3, 2600}});
   CHECK(limit_of(s, "stiffness").bound <= 2 / std::sqrt(3 * stiff / 1.361356816555577e-6) * (1 + 1e-9));
+}
+
+TEST_CASE("a lid is measured by its mass and the contacts at it") {
+  const boundary::servo_stress load{100, 1e-6, 1e-7, 0};
+  const boundary::walls press{boundary::wall{boundary::plane{{0, 0, 0}, {0, 0, 1}}},
+                              boundary::wall{boundary::plane{{0, 0, 0.9998e-3}, {0, 0, -1}}, load}};
+  std::vector<grain> row;
+  for (int count = 1; count <= 3; ++count) {
+    row.push_back({{2e-3 * count, 0, 0.4999e-3}, 0.5e-3, 2600});
+    pendular::system s{material{spring}, press, half_step_velocity_verlet{1e-7}};
+    fill(s, row);
+    CHECK(limit_of(s, "mass of a lid").bound == within(1e-12, 2 / std::sqrt(2 * count * stiff / 1e-7)));
+    pendular::system damped{material{spring, damping::viscous{0.5}}, press, half_step_velocity_verlet{1e-7}};
+    fill(damped, row);
+    CHECK(limit_of(damped, "mass of a lid").bound < 0.99 * limit_of(s, "mass of a lid").bound);
+  }
 }

@@ -3,6 +3,7 @@
 // without sliding, run just below it and just above.
 #include "../catch.hpp"
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/law/capillary/constant.hpp>
 #include <pendular/law/damping/viscous.hpp>
@@ -11,8 +12,10 @@
 #include <pendular/law/rupture/lian.hpp>
 #include <pendular/system.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 using namespace pendular;
@@ -100,4 +103,30 @@ TEST_CASE("packings with springs and dashpots are stable up to the limit") {
     CHECK(growth<velocity_verlet>(m, crystal(), 0.995) < 100);
     CHECK(growth<half_step_velocity_verlet>(m, crystal(), 0.995) < 100);
   }
+}
+
+TEST_CASE("a lid on a heavy grain is stable up to its limit and not beyond 1.42 of it") {
+  const auto largest_force = [](double limits) {
+    const boundary::servo_stress load{0.1, 1, 1e-7, 0};  // 0.1 N
+    pendular::system s{material{normal::linear{stiff}},
+                       boundary::walls{boundary::wall{boundary::plane{{0, 0, 2 * r - 0.99e-4}, {0, 0, -1}}, load}},
+                       half_step_velocity_verlet{1e-9},
+                       run_options{.overlap_limit = 0.9, .domain_margin = 1e6, .force = true}};
+    s.add({{0, 0, r}, r, 1e9});
+    s.start();
+    double step = HUGE_VAL;
+    for (const scene_limit& l : s.limits()) {
+      if (l.what.find("mass of a lid") != std::string::npos) step = l.bound;
+    }
+    s.change_integrator(half_step_velocity_verlet{limits * step});
+    double most = 0;
+    for (int k = 0; k < 300 && most < 10; ++k) {
+      s.run(1);
+      most = std::max(most, norm(boundary::get<0>(s.walls()).force));
+    }
+    return most;
+  };
+  CHECK(largest_force(0.995) < 0.11);
+  CHECK(largest_force(1.40) < 0.2);
+  CHECK_THROWS_AS(largest_force(1.45), run_error);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/system.hpp>

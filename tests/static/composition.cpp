@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a scene does not choose does not exist: composed types, their columns, memories and sizes.
 #include <pendular/boundary/rimmed_cylinder.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/boundary/turning.hpp>
 #include <pendular/law/all.hpp>
 #include <pendular/liquid/protocol/all.hpp>

@@ -5,6 +5,7 @@
 #include "../io/scratch.hpp"
 #include "../physics/scenes.hpp"
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
 #include <pendular/law/capillary/bagheri.hpp>

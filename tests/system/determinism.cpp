@@ -3,6 +3,7 @@
 // What must not change a single bit: threads, the skin of the list, a liquid policy without liquid, a restart.
 #include "../physics/scenes.hpp"
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
 #include <pendular/law/capillary/bagheri.hpp>

@@ -5,6 +5,7 @@
 #include "../open/slabs.hpp"
 #include "../physics/scenes.hpp"
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/liquid/protocol/all.hpp>
 #include <pendular/liquid/protocol/one_of.hpp>
 #include <pendular/parts.hpp>

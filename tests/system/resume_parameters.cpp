@@ -2,6 +2,7 @@
 // A checkpoint read into a program with other parameters: refused by name, or whoever wins is seen to win.
 #include "../physics/scenes.hpp"
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/io/checkpoint.hpp>
 #include <pendular/io/system_state.hpp>
 #include <pendular/liquid/source/evaporation.hpp>

@@ -3,6 +3,8 @@
 // A scene beyond a limit is refused with value and bound, each limit in its turn; run_options::force overrides.
 #include "../physics/scenes.hpp"
 
+#include <pendular/boundary/servo_stress.hpp>
+
 #include <functional>
 #include <string>
 

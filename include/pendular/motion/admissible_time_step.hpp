@@ -109,10 +109,9 @@ std::vector<grain_rigidity> rigidities(const Grains& g, const pair_list& list, c
   return all;
 }
 
-/// The grains within `reach` of a wall feel it as if they touched it.
-template <class Grains, class Wall, class Material>
-void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wall, const Material& material,
-              double reach, double spring_weight) {
+/// visit(row, tangent, normal) for every grain within `reach` of a wall, as if it touched it.
+template <class Grains, class Wall, class Material, class Visit>
+void for_each_touch(const Grains& g, const Wall& wall, const Material& material, double reach, const Visit& visit) {
   const auto position = g.template get<column::position>();
   const auto radius = g.template get<column::radius>();
   const auto inverse_mass = g.template get<column::inverse_mass>();
@@ -120,7 +119,7 @@ void add_wall(std::vector<grain_rigidity>& all, const Grains& g, const Wall& wal
     const auto m = wall.shape.meet(position[row], radius[row]);
     if (m.gap > reach) continue;
     const approach<double> a{m.gap, 0, 1 / inverse_mass[row], radius[row], std::numeric_limits<double>::infinity()};
-    add_contact(all[row], contact_tangent<Material>::of(material, a), m.normal, spring_weight);
+    visit(row, contact_tangent<Material>::of(material, a), m.normal);
   }
 }
 }  // namespace detail

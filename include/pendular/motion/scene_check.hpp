@@ -37,6 +37,24 @@ double lid_stress(const Walls& for_each_wall) {
   return largest;
 }
 
+/// Time step against the contacts of a lid, a wall that moves as a free mass, bounded as those of a grain are.
+template <class Integration, class Grains, class Walls>
+scene_limit lid_step_limit(const Integration& integrator, const Grains& g, const Walls& for_each_wall, double reach) {
+  scene_limit worst{"the time step (s), against the mass of a lid", integrator.time_step, HUGE_VAL};
+  for_each_wall([&](const auto& wall, const auto& own) {
+    if constexpr (requires { wall.drive.mass; }) {
+      double stiffness = 0, damping = 0;
+      detail::for_each_touch(g, wall, own, reach, [&](std::size_t, const auto& tangent, const vector&) {
+        stiffness += tangent.normal;
+        damping += tangent.damping;
+      });
+      const double twice = 2 / wall.drive.mass;
+      worst.bound = std::min(worst.bound, Integration::stable_step(twice * stiffness, twice * damping));
+    }
+  });
+  return worst;
+}
+
 /// Force of a load or a bridge against k_n d: the stiffness number k_n d / f must be at least 1e3.
 template <class Material>
 scene_limit softness_limit(const Material& material, const std::string& of_what, double force, double radius,
@@ -100,10 +118,14 @@ std::vector<scene_limit> contact_limits(const Integration& integrator, const Gra
   constexpr double weight = detail::spring_weight<Integration>;
   auto rigidities = detail::rigidities(g, list, m, weight);
   const double nearby = 0.2 * extreme_radii(g).first;  // whatever the skin
-  for_each_wall([&](const auto& wall, const auto& own) { detail::add_wall(rigidities, g, wall, own, nearby, weight); });
+  for_each_wall([&](const auto& wall, const auto& own) {
+    detail::for_each_touch(g, wall, own, nearby, [&](std::size_t row, const auto& tangent, const vector& normal) {
+      detail::add_contact(rigidities[row], tangent, normal, weight);
+    });
+  });
   const double pressure = weight_pressure(g, integrator.gravity) + lid_stress(for_each_wall);
   return {contact_step_limit(integrator, g, rigidities), viscosity_step_limit(integrator, g, rigidities, m),
-          damping_limit(g, m), pressure_limit(g, m, pressure)};
+          lid_step_limit(integrator, g, for_each_wall, nearby), damping_limit(g, m), pressure_limit(g, m, pressure)};
 }
 
 /// What bridges must keep below a bound besides.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/boundary/wall.hpp>
 #include <pendular/core/expects.hpp>
 #include <pendular/law/damping/viscous.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/boundary/rimmed_cylinder.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/observe/coordination.hpp>
 #include <pendular/observe/energy.hpp>
 #include <pendular/observe/stress.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/boundary/drive.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 
 namespace pendular::scene {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pendular/boundary/cylinder.hpp>
+#include <pendular/boundary/servo_stress.hpp>
 #include <pendular/law/damping/viscous.hpp>
 #include <pendular/law/normal/linear.hpp>
 #include <pendular/scene/grading.hpp>

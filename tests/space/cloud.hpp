@@ -93,8 +93,8 @@ inline cloud random_cloud(std::size_t count, double size, std::uint64_t seed, do
   boost::random::uniform_real_distribution<double> unit(0, 1);
   cloud c;
   for (std::size_t k = 0; k < count; ++k) {
-    c.add({size * (unit(random) - 0.5), size * unit(random) + 3, flatness * size * unit(random)},
-          0.2 + 0.8 * unit(random));
+    const double radius = 0.2 + 0.8 * unit(random);  // first: arguments have no order
+    c.add({size * (unit(random) - 0.5), size * unit(random) + 3, flatness * size * unit(random)}, radius);
   }
   return c;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Another fluid between two runs: what acts, breaks and is stored is that of the new one, and what does not fit changes
 // nothing.
+#include "../open/resumed.hpp"
 #include "../physics/scenes.hpp"
 
 #include <pendular/law/capillary/bagheri.hpp>
@@ -95,4 +96,14 @@ TEST_CASE("a bridge that another fluid takes out of the validity of its laws is 
   s.change_liquid(paper(tension, 1.1));  // valid up to 1.0472
   CHECK(s.bridges().outside().rupture_law == 1);
   CHECK(s.bridges().outside().capillary_law == 0);
+}
+
+TEST_CASE("how many bridges were made beyond the validity of each law is kept over a resume") {
+  auto s = bridged_pair(20e-6);
+  s.change_liquid(paper(tension, 1.1));
+  REQUIRE((s.bridges().outside().capillary_law == 0 && s.bridges().outside().rupture_law == 1));
+  const auto again = resumed(s, pendular::system{s.contact_material(), s.bridges().policies(), s.walls(),
+                                                 s.integrator(), run_options{.force = true}});
+  CHECK(again.bridges().outside().capillary_law == 0);
+  CHECK(again.bridges().outside().rupture_law == 1);
 }

@@ -46,9 +46,36 @@ auto shake_dry(const Options& options) {
   return s;
 }
 
+/// Grains are put in that touch each other, and a list is made before their forces are known.
+template <class Options>
+auto touching_from_the_start(const Options& options) {
+  pendular::system s{material{normal::linear{4e3}, damping::viscous{0.03}}, boundary::walls{}, velocity_verlet{dt},
+                     options};
+  for (const double x : {2e-3, 6e-3, 10e-3}) s.add({.position = {x, 0, 0}, .radius = radius, .density = 2600});
+  s.run(10);
+  for (int k = 1; k < 12; ++k) {
+    for (const double x : {0.95e-3 * k, 0.95e-3 * k + 1.99 * radius}) {
+      s.add({.position = {x, 2e-3 * k, 0}, .radius = radius, .density = 2600});
+    }
+  }
+  s.canonicalise();
+  s.start();
+  s.run(10);
+  return s;
+}
+
 }  // namespace
 
 TEST_CASE("dry grains under a lid do not see the parts of a scene") {
   const auto live = [](const auto& options) { return shake_dry(options); };
   check_parts(in_one_piece(live), live);
+}
+
+TEST_CASE("grains put in touching push each other on all parts, even if they were listed before that") {
+  const auto live = [](const auto& options) { return touching_from_the_start(options); };
+  const record whole = in_one_piece(live);
+  for (const std::vector<double>& borders : cuts) {
+    slab_house house(borders);
+    check_same(whole, in_slabs_of(house, live));
+  }
 }

@@ -346,6 +346,22 @@ TEST_CASE("a turning drum resumes with the same bits, its work included") {
   CHECK(boundary::get<1>(first.walls()).shape.normal == boundary::get<1>(second.walls()).shape.normal);
 }
 
+TEST_CASE("walls that move or turn do no work while their scene stands") {
+  using boundary::plane;
+  using boundary::wall;
+  pendular::system s{material{normal::linear{1e3}, friction::coulomb_spring{800, 0.4}},
+                     boundary::walls{wall{plane{{0, 0, 0}, {0, 0, 1}}, boundary::constant_velocity{{0, 0, 0.01}}},
+                                     wall{plane{{0, 0, 0}, {0, 0, 1}}, boundary::turning{{0, 0, 0}, {0, 0, 1}, 5}}},
+                     velocity_verlet{1e-6, {0, 0, -9.81}}, run_options{.force = true}};
+  s.add({.position = {3e-3, 0, 0.999 * radius}, .radius = radius, .density = 2600});
+  s.run(20);
+  const double pushed = boundary::get<0>(s.walls()).work, turned = boundary::get<1>(s.walls()).work;
+  REQUIRE((pushed > 0 && turned > 0));
+  s.add({.position = {0.05, 0, 2 * radius}, .radius = radius, .density = 2600});
+  s.start();
+  CHECK((boundary::get<0>(s.walls()).work == pushed && boundary::get<1>(s.walls()).work == turned));
+}
+
 TEST_CASE("grains are taken out with their liquid, and nobody else notices") {
   auto all = heap<velocity_verlet>(), fewer = heap<velocity_verlet>();
   all.run(1000);
@@ -498,6 +514,47 @@ TEST_CASE("a run with grains taken out and driven resumes with the same bits") {
     REQUIRE((x.position == y.position && x.velocity == y.velocity && x.angular_velocity == y.angular_velocity));
   }
   CHECK(first.driven().work() == second.driven().work());
+}
+
+TEST_CASE("a grain that is driven and taken out is driven no more") {
+  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-7}};
+  for (int k = 0; k < 3; ++k) s.add({.position = {0.01 * k, 0, 0}, .radius = radius, .density = 2600});
+  s.drive(1, {0.1, 0, 0});
+  s.drive(2, {0, 0.1, 0});
+  s.remove({1});
+  CHECK((!s.driven().is_driven(1) && s.driven().is_driven(2)));
+  CHECK_THROWS_AS(s.release(1), input_error);
+}
+
+TEST_CASE("a grain may be put in far beyond all others of a scene that has run") {
+  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-6}};
+  s.add({.position = {0, 0, 0}, .radius = radius, .density = 2600});
+  s.run(10);
+  s.add({.position = {5, 0, 0}, .radius = radius, .density = 2600});
+  s.run(10);
+  s.canonicalise();
+  CHECK(position(s, 1) == vector{5, 0, 0});
+}
+
+TEST_CASE("a fast wall makes the skin wide, and a list lasts until the wall has come half of it nearer") {
+  pendular::system s{material{normal::linear{1e3}},
+                     boundary::walls{boundary::wall{boundary::plane{{0, 0, -0.01}, {0, 0, 1}},
+                                                    boundary::constant_velocity{{0, 0, 1}}}},
+                     velocity_verlet{1e-6}};
+  s.add({.position = {0, 0, 0}, .radius = radius, .density = 2600});
+  s.run(1000);  // 1e-6 m in each: a skin of sqrt(57 2e-3) = 0.34 radii, and 85 steps for half of it
+  CHECK((s.rebuild_count() > 8 && s.rebuild_count() < 20));
+}
+
+TEST_CASE("friction that counts contacts knows them before the first step") {
+  pendular::system s{material{normal::linear{1e3}, friction::viscous_coulomb{1, 0.4}}, floor_plane(),
+                     velocity_verlet{1e-6}};
+  for (int k = 0; k < 3; ++k) {
+    s.add({.position = {1.999 * radius * k, 0, 0.999 * radius}, .radius = radius, .density = 2600});
+  }
+  s.start();
+  const auto contacts = s.particles().get<column::contacts>();
+  CHECK((contacts[row_of(s, 0)] == 2 && contacts[row_of(s, 1)] == 3 && contacts[row_of(s, 2)] == 2));
 }
 
 TEST_CASE("another time step keeps the time, and an unstable one is refused") {

@@ -87,6 +87,17 @@ TEST_CASE("an overlap of two grains is found also where a wall is in order") {
   CHECK(mentions(failure([&] { s.run(40); }), {"grain 1 at step", "overlaps grain 2"}));
 }
 
+TEST_CASE("an overlap of grains of different sizes is measured with the smaller one") {
+  pendular::system s{material{normal::linear{1e3}}, boundary::walls{}, velocity_verlet{1e-6},
+                     run_options{.force = true}};
+  s.add({{0, 0, 0}, 4 * r, rho});
+  s.add({{5 * r + 1e-6, 0, 0}, r, rho, {-6, 0, 0}});
+  const std::string said = failure([&] { s.run(1000); });
+  REQUIRE(mentions(said, {"grain 0 at step", "overlaps grain 1 by "}));
+  const double overlap = std::stod(said.substr(said.find(" by ") + 4));
+  CHECK((overlap >= 0.1 && overlap < 0.12));
+}
+
 TEST_CASE("a normal law that returns a value that is not finite stops the run and the grain is named") {
   auto s = colliding(material{bursting_spring{1e3}}, 0.1);
   const std::string said = failure([&] { s.run(1000); });

@@ -53,7 +53,8 @@ TEST_CASE("of the two bridges that have a suction at a gap it is that with more 
   const double suction = 10 * tension / radius, gap = 0.05 * radius, cube = radius * radius * radius;
   const auto s = solve_at_suction(bridge(1, 0, 1), gap, suction);
   REQUIRE(s);
-  CHECK(s->volume == within(1e-3, 0.017945 * cube));
+  CHECK(s->volume > 0.01 * cube);
+  CHECK(solve(bridge(1, 0, s->volume / cube), gap)->suction == within(1e-6, suction));
   // the other one, by halving
   double low = 1e-4 * cube, high = 2e-4 * cube;
   for (int k = 0; k < 40; ++k) {

@@ -39,6 +39,10 @@ static_assert(std::is_same_v<dry_scene::bonds_type, no_bonds> && std::is_empty_v
 static_assert(std::is_same_v<wet_scene::bonds_type, bonds<water_and_laws>>);
 static_assert(!dry_scene::contacts_type::wet && wet_scene::contacts_type::wet);
 static_assert(sizeof(dry_scene) < sizeof(wet_scene));
+
+// A copy is deduced as one, not as arguments out of order.
+static_assert(std::is_same_v<decltype(pendular::system{std::declval<const dry_scene&>()}), dry_scene>);
+static_assert(std::is_same_v<decltype(pendular::system(std::declval<wet_scene&>())), wet_scene>);
 template <class System>
 concept Wettable = requires(System s) {
   s.distribute_liquid(1e-9);

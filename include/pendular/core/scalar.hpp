@@ -7,7 +7,8 @@
 #endif
 
 #if (defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ + 0) && !defined(PENDULAR_ALLOW_FAST_MATH)
-#error "pendular: -ffast-math (-ffinite-math-only, -Ofast) lets NaN pass every check: build without, or define PENDULAR_ALLOW_FAST_MATH (docs/how-to/cmake.md)"
+#error                                                                                                                 \
+    "pendular: -ffast-math (-ffinite-math-only, -Ofast) lets NaN pass every check: build without, or define PENDULAR_ALLOW_FAST_MATH (docs/how-to/cmake.md)"
 #endif
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pendular/boundary/drive.hpp>
 #include <pendular/boundary/servo_stress.hpp>
 
 namespace pendular::scene {

@@ -12,7 +12,8 @@ namespace pendular::capillary {
 ///     f = 2 pi (1 - 0.3823 v^0.2586) (1 - (0.4158 v^0.2835 + 0.6474) (sin theta)^(2.267 - 0.2087 v^0.3113)),
 ///     a = -0.3319 v^0.4974 + 0.6717 v^0.1995,  b = 13.84 v^-0.3909 - 12.11 v^-0.3945,
 ///     c = 1 + theta (-1.78 v^0.8351 + 0.6669 v^-0.01391) + theta^3 (-0.007815 ln^2 v - 0.2105 ln v - 1.426).
-/// c is kept above 0.05: as printed it changes sign beyond 60 degrees and the force has a pole.
+/// c is kept above 0.05: as printed it changes sign beyond 60 degrees and the force has a pole. v is kept within 1e-12 and
+/// 1: from about 10 on a, as printed, is negative.
 /// Units: N from N/m, m, m3 and rad. Against Laplace-Young at theta = 0 within 0.5 % at contact, 2 % up to three quarters
 /// of the rupture distance for v from 1e-4 (5 % for 1e-5), for every size ratio; to 18 % low at 40 degrees. Never less
 /// than nothing at contact.

@@ -35,7 +35,7 @@ struct rabinovich {
   T attraction(const T& gap, const coefficients<T>& c) const {
     const T d = max(gap, T(0));
     const T l = sqrt(T(d * d + c.area));
-    const T alpha = min(T(sqrt(T(c.area / ((l + d) * c.radius)))), T(std::numbers::pi / 2));
+    const T alpha = min(T(sqrt(T(c.area / ((l + d) * c.radius)))), T(1.570796));
     const T line = sin(alpha) * (sin(alpha) * c.cosine + cos(alpha) * c.sine);
     return c.amplitude * (c.cosine * c.area / (l * (l + d)) + line);
   }

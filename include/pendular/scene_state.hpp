@@ -135,7 +135,8 @@ class scene_state {
   };
   const clock_start& clock_began() const { return clock_; }
 
-  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness. Errors: no grains.
+  /// What the scene must keep below a bound, as it stands: time step, damping, stiffness; what bounds nothing here is
+  /// left out. Errors: no grains.
   std::vector<scene_limit> limits() const {
     expect_grains("a list of limits");
     return limits_of_rows();
@@ -163,6 +164,7 @@ class scene_state {
       const auto of_bridges = bridge_limits(integrator_, grains_, rows_.material(), view(), bridges());
       all.insert(all.end(), of_bridges.begin(), of_bridges.end());
     }
+    std::erase_if(all, [](const scene_limit& l) { return l.bound == HUGE_VAL; });
     return all;
   }
 

@@ -29,6 +29,10 @@ struct servo_stress {
     velocity = next * wall.normal + (sliding - dot(sliding, wall.normal) * wall.normal);
     wall.point += time_step * velocity;
   }
+
+  /// The mass that contacts move, kg: the dashpot acts at the end of a step, which is stable as a free mass if
+  /// k dt^2 < 4 mass + 2 damping dt.
+  double inertia(double time_step) const { return mass + 0.5 * time_step * damping; }
 };
 
 inline void validate(const servo_stress& s) {

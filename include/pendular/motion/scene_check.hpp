@@ -42,13 +42,13 @@ template <class Integration, class Grains, class Walls>
 scene_limit lid_step_limit(const Integration& integrator, const Grains& g, const Walls& for_each_wall, double reach) {
   scene_limit worst{"the time step (s), against the mass of a lid", integrator.time_step, HUGE_VAL};
   for_each_wall([&](const auto& wall, const auto& own) {
-    if constexpr (requires { wall.drive.mass; }) {
+    if constexpr (requires { wall.drive.inertia(integrator.time_step); }) {
       double stiffness = 0, damping = 0;
       detail::for_each_touch(g, wall, own, reach, [&](std::size_t, const auto& tangent, const vector&) {
         stiffness += tangent.normal;
         damping += tangent.damping;
       });
-      const double twice = 2 / wall.drive.mass;
+      const double twice = 2 / wall.drive.inertia(integrator.time_step);
       worst.bound = std::min(worst.bound, Integration::stable_step(twice * stiffness, twice * damping));
     }
   });

@@ -23,18 +23,18 @@ struct velocity_verlet {
   vector gravity{0, 0, 0};  // m/s2
 
   template <class V>
-  void predict(V& position, V& velocity, const V& acceleration) const {
+  [[gnu::always_inline]] void predict(V& position, V& velocity, const V& acceleration) const {
     const double dt = time_step;
     position += dt * velocity + (0.5 * dt * dt) * acceleration;
     velocity += dt * acceleration;
   }
   template <class V>
-  void predict_spin(V& spin, const V& acceleration) const {
+  [[gnu::always_inline]] void predict_spin(V& spin, const V& acceleration) const {
     spin += time_step * acceleration;
   }
 
   template <class V>
-  void correct(V& velocity, const V& before, const V& now) const {
+  [[gnu::always_inline]] void correct(V& velocity, const V& before, const V& now) const {
     velocity += (0.5 * time_step) * (now - before);
   }
 
@@ -53,17 +53,17 @@ struct half_step_velocity_verlet {
   vector gravity{0, 0, 0};  // m/s2
 
   template <class V>
-  void predict(V& position, V& velocity, const V& acceleration) const {
+  [[gnu::always_inline]] void predict(V& position, V& velocity, const V& acceleration) const {
     velocity += (0.5 * time_step) * acceleration;
     position += time_step * velocity;
   }
   template <class V>
-  void predict_spin(V& spin, const V& acceleration) const {
+  [[gnu::always_inline]] void predict_spin(V& spin, const V& acceleration) const {
     spin += (0.5 * time_step) * acceleration;
   }
 
   template <class V>
-  void correct(V& velocity, const V& /*before*/, const V& now) const {
+  [[gnu::always_inline]] void correct(V& velocity, const V& /*before*/, const V& now) const {
     velocity += (0.5 * time_step) * now;
   }
 

@@ -10,6 +10,9 @@
 
 namespace pendular {
 
+// Always inlined: with some flags g++ 12 leaves `predict` out of the flattened loop, which costs 5 % of the instructions
+// of a dry step.
+
 /// Velocity Verlet whose dissipative forces see the velocity extrapolated to the same time as the positions,
 /// v + a dt. Second order in dashpots too, and free of the unphysical sticking that half-step velocities cause between
 /// grains of very different size (Vyas et al. 2025); the stable step under strong damping is about half as long, and
